@@ -1,0 +1,46 @@
+# What the scripts that read GLSL have in common: `#include "lib/noise.glsl"` lines, which stand before all else in a
+# file and count once, however often and deeply they come.
+
+# glsl_order(file out): appends to the list `out` what the file includes, then the file itself, each only once. Paths
+# are relative to the shaders' folder or to that of generated files, GLSL_FOLDERS.
+function(glsl_order file out)
+  if(file IN_LIST ${out})
+    return()
+  endif()
+  glsl_find(${file} path)
+  file(STRINGS ${path} includes REGEX "^#include")
+  foreach(include IN LISTS includes)
+    if(NOT include MATCHES "^#include \"([^\"]+)\"$")
+      message(FATAL_ERROR "${path}: cannot read ${include}")
+    endif()
+    glsl_order(${CMAKE_MATCH_1} ${out})
+  endforeach()
+  set(${out} ${${out}} ${file} PARENT_SCOPE)
+endfunction()
+
+function(glsl_find file out)
+  find_file(found ${file} PATHS ${GLSL_FOLDERS} NO_DEFAULT_PATH NO_CACHE)
+  if(NOT found)
+    message(FATAL_ERROR "${file}: included, but not there")
+  endif()
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
+
+# glsl_read(file out): the text without comments, includes and indentation, which would be a third of the page's
+# download. Line numbers stay as they are.
+function(glsl_read file out)
+  glsl_find(${file} path)
+  file(READ ${path} text)
+  string(REGEX REPLACE "//[^\n]*" "" text "\n${text}")
+  string(REGEX REPLACE "[ \t]+\n" "\n" text "${text}")
+  string(REGEX REPLACE "\n[ \t]+" "\n" text "${text}")
+  string(REGEX REPLACE "^(\n*#include [^\n]*)+" "" code "${text}")
+  if(code MATCHES "\n#include [^\n]*")
+    message(FATAL_ERROR "${path}: this stands after other code:${CMAKE_MATCH_0}")
+  elseif(code MATCHES "/\\*")
+    message(FATAL_ERROR "${path}: comments are written with //")
+  endif()
+  string(REGEX REPLACE "\n#include [^\n]*" "\n" text "${text}")
+  string(SUBSTRING "${text}" 1 -1 text)
+  set(${out} "${text}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,49 @@
+# What is made from shaders/, presets/ and src/scene/params.inc before C++ is compiled, all of it under
+# <build>/generated:
+#   shaders/scene_block.glsl   the uniform block of all parameters
+#   shaders/<slot>/<stage>     each stage with its includes, checked
+#   shader_sources.cpp         all stages, for gl
+#   formulas/formulas.hpp      shaders/lib as C++, in float and in double
+#   preset_texts.cpp           all presets, for scene
+
+set(shaders ${PROJECT_SOURCE_DIR}/shaders)
+set(generated ${PROJECT_BINARY_DIR}/generated)
+set(glsl_folders "${shaders}\\;${generated}/shaders")
+set(scripts ${PROJECT_SOURCE_DIR}/cmake)
+
+set(params ${PROJECT_SOURCE_DIR}/src/scene/params.inc)
+set(scene_block ${generated}/shaders/scene_block.glsl)
+add_custom_command(OUTPUT ${scene_block}
+  COMMAND ${CMAKE_COMMAND} -DPARAMS=${params} -DOUT=${scene_block} -P ${scripts}/scene_block.cmake
+  DEPENDS ${params} ${scripts}/scene_block.cmake VERBATIM)
+
+file(GLOB stages CONFIGURE_DEPENDS RELATIVE ${shaders} ${shaders}/*/*.vert ${shaders}/*/*.frag)
+set(checked "")
+foreach(stage IN LISTS stages)
+  set(out ${generated}/shaders/${stage})
+  add_custom_command(OUTPUT ${out}
+    COMMAND ${CMAKE_COMMAND} -DGLSL_FOLDERS=${glsl_folders} -DSTAGE=${stage} -DOUT=${out} -DGLSLANG=${GLSLANG}
+            -P ${scripts}/shader_check.cmake
+    DEPENDS ${shaders}/${stage} ${scene_block} DEPFILE ${out}.d VERBATIM)
+  list(APPEND checked ${out})
+endforeach()
+
+set(TERRELLA_SHADER_SOURCES ${generated}/shader_sources.cpp)
+list(JOIN stages "," stages)
+add_custom_command(OUTPUT ${TERRELLA_SHADER_SOURCES}
+  COMMAND ${CMAKE_COMMAND} -DGLSL_FOLDERS=${glsl_folders} -DSTAGES=${stages} -DOUT=${TERRELLA_SHADER_SOURCES}
+          -P ${scripts}/shader_embed.cmake
+  DEPENDS ${checked} ${scripts}/shader_embed.cmake ${scripts}/glsl.cmake VERBATIM)
+
+file(GLOB formulas CONFIGURE_DEPENDS ${shaders}/lib/*.glsl)
+set(TERRELLA_FORMULAS ${generated}/formulas/formulas.hpp ${generated}/formulas/formulas.cpp)
+add_custom_command(OUTPUT ${TERRELLA_FORMULAS}
+  COMMAND ${CMAKE_COMMAND} -DGLSL_FOLDERS=${shaders} -DOUT=${generated}/formulas -P ${scripts}/formulas.cmake
+  DEPENDS ${formulas} ${scripts}/formulas.cmake ${scripts}/glsl.cmake VERBATIM)
+
+set(presets ${PROJECT_SOURCE_DIR}/presets)
+file(GLOB preset_files CONFIGURE_DEPENDS ${presets}/*.json ${presets}/order.txt)
+set(TERRELLA_PRESET_TEXTS ${generated}/preset_texts.cpp)
+add_custom_command(OUTPUT ${TERRELLA_PRESET_TEXTS}
+  COMMAND ${CMAKE_COMMAND} -DFOLDER=${presets} -DOUT=${TERRELLA_PRESET_TEXTS} -P ${scripts}/preset_embed.cmake
+  DEPENDS ${preset_files} ${scripts}/preset_embed.cmake VERBATIM)

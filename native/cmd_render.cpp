@@ -1,0 +1,189 @@
+#include "native/cmd_render.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "app/stats.hpp"
+#include "app/still.hpp"
+#include "base/file.hpp"
+#include "gl/caps.hpp"
+#include "native/egl_context.hpp"
+#include "native/failures.hpp"
+#include "native/options.hpp"
+
+namespace terrella {
+namespace {
+
+struct RenderOptions {
+  SceneOptions scene;
+  std::string size = "1280x720";
+  double time = 0.0;
+  std::string out;
+  std::string channel = "color";
+  int samples = 1;
+  int frames = 0;
+  bool why = false;
+  std::string stats;
+  std::string gl = "core";
+};
+
+// The options, checked and understood.
+struct Task {
+  Scene scene;
+  StillOptions still;
+  Channel channel = Channel::color;
+  bool pfm = false;
+};
+
+bool ends_with(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void read_size(const std::string& text, StillOptions& still, Issues& issues) {
+  int width = 0, height = 0;
+  char rest = 0;
+  const bool read = std::sscanf(text.c_str(), "%6dx%6d%c", &width, &height, &rest) == 2;
+  if (!read || width < 1 || height < 1 || width > 16384 || height > 16384) {
+    issues.add("--size", text_of(json_quoted(shortened(text)), " is not a size; give WIDTHxHEIGHT, each 1 to 16384, as in 1280x720."));
+    return;
+  }
+  still.width = width;
+  still.height = height;
+}
+
+void read_channel(const std::string& text, Task& task, Issues& issues) {
+  static constexpr std::string_view names[] = {"color", "distance", "normal", "height"};
+  for (int i = 0; i < 4; ++i) {
+    if (text == names[i]) {
+      task.channel = static_cast<Channel>(i);
+      return;
+    }
+  }
+  issues.add("--channel", text_of(json_quoted(shortened(text)), " is not a channel; there are color, distance, normal and height",
+                                  did_you_mean(nearest_name(text, names))));
+}
+
+Task understand(const RenderOptions& options, Issues& issues) {
+  Task task;
+  const SceneChoice choice = choose_scene(options.scene);
+  issues.add(choice.issues);
+  task.scene = choice.document.scene;
+  read_size(options.size, task.still, issues);
+  read_channel(options.channel, task, issues);
+  task.still.seconds = options.time;
+  task.still.samples = options.samples;
+  if (!std::isfinite(options.time) || std::abs(options.time) > 1e12) {
+    issues.add("--time", "must be a number of seconds, -1e12 to 1e12.");
+  }
+  if (options.samples < 1 || options.samples > 64) issues.add("--samples", "must be a whole number, 1 to 64.");
+  if (options.frames < 0 || options.frames > 1'000'000) issues.add("--frames", "must be a whole number, 0 to 1000000.");
+  if (options.gl != "core" && options.gl != "es") {
+    issues.add("--gl", text_of(json_quoted(shortened(options.gl)), " is not a kind of OpenGL; there are core and es."));
+  }
+  task.pfm = ends_with(options.out, ".pfm");
+  if (!task.pfm && !ends_with(options.out, ".png")) {
+    issues.add("--out", text_of(json_quoted(shortened(options.out)), " must end in .png or .pfm."));
+  } else if (!task.pfm && task.channel != Channel::color) {
+    issues.add("--out", text_of("the channel ", options.channel, " is not a picture; give a file that ends in .pfm."));
+  }
+  return task;
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Frames as a window would draw them, each timed until its picture is there.
+std::vector<double> time_frames(Renderer& renderer, const Task& task, int count) {
+  std::vector<double> times;
+  View view{task.still.width, task.still.height, task.still.seconds, {}};
+  for (int i = 0; i < count; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    view.seconds = task.still.seconds + i / 60.0;
+    renderer.draw(task.scene, view, {Channel::color, i == 0 ? Effort::complete : Effort::live, false});
+    unsigned char pixel[4];
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    if (i > 0) times.push_back(milliseconds_since(start));
+  }
+  return times;
+}
+
+std::int64_t count_nonfinite(const Image& image, Channel channel) {
+  std::int64_t count = 0;
+  for (const float value : image.pixels) {
+    const bool sky = std::isinf(value) && value > 0.0F && channel != Channel::color && channel != Channel::normal;
+    if (!std::isfinite(value) && !sky) ++count;
+  }
+  return count;
+}
+
+void print_needs(const Needs& needs) {
+  for (const Decision& d : needs.decisions) {
+    std::printf("%-22s %-10s %s\n", d.what.c_str(), d.chosen.c_str(), d.why.c_str());
+  }
+}
+
+// Draws and writes; returns what went wrong, or nothing.
+std::string render(const RenderOptions& options, const Task& task) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto context = EglContext::make(options.gl == "es" ? Api::es : Api::core);
+  if (!context) return context.sentence();
+  if (std::max(task.still.width, task.still.height) > gl::caps().max_texture) {
+    return text_of("This machine draws pictures of at most ", gl::caps().max_texture, " pixels along a side.");
+  }
+  Renderer renderer;
+  const Image image = task.pfm ? take_measurement(renderer, task.scene, task.still, task.channel)
+                               : take_picture(renderer, task.scene, task.still);
+  StatsReport report;
+  report.first_frame_ms = milliseconds_since(start);
+  report.nonfinite_pixels = count_nonfinite(image, task.channel);
+  report.work = renderer.stats();
+  if (const Result<Done> done = write_file_whole(options.out, task.pfm ? encode_pfm(image) : encode_png(image)); !done) {
+    return done.sentence();
+  }
+  if (options.why) print_needs(renderer.needs());
+  if (options.frames > 0) {
+    report.frame_ms = time_frames(renderer, task, options.frames + 1);
+    report.work = renderer.stats();
+  }
+  if (options.stats.empty()) return {};
+  report.renderer = gl::caps().renderer;
+  report.width = task.still.width;
+  report.height = task.still.height;
+  report.frames = 1 + options.frames;
+  report.needs = renderer.needs();
+  if (renderer.pose().raised) report.issues.push_back("camera.altitude: the camera was under the surface and was raised above it.");
+  const Result<Done> done = write_file_whole(options.stats, to_json(report) + "\n");
+  return done ? std::string() : done.sentence();
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program, int& exit_code) {
+  CLI::App* command = program.add_subcommand("render", "One picture, no window and no display needed");
+  const auto options = std::make_shared<RenderOptions>();
+  add_scene_options(*command, options->scene);
+  command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT (1280x720)");
+  command->add_option("--time", options->time, "Seconds since the scene began (0)");
+  command->add_option("--out", options->out, "The picture: .png, or .pfm for linear light and measurements")->required();
+  command->add_option("--channel", options->channel, "color, distance, normal or height (color)");
+  command->add_option("--samples", options->samples, "N for N x N samples a pixel (1)");
+  command->add_option("--frames", options->frames, "Draw N frames more after warming up, to time them (0)");
+  command->add_flag("--why", options->why, "Print what is modelled, how finely and for what reason");
+  command->add_option("--stats", options->stats, "Write times, work and decisions as JSON");
+  command->add_option("--gl", options->gl, "core or es (core)");
+  command->callback([options, &exit_code] {
+    Issues issues;
+    const Task task = understand(*options, issues);
+    if (!issues.empty()) {
+      exit_code = report_bad_input(issues);
+      return;
+    }
+    const std::string failure = render(*options, task);
+    if (!failure.empty()) exit_code = report_failure(failure);
+  });
+}
+
+}  // namespace terrella

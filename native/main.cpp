@@ -1,0 +1,22 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "native/cmd_manual.hpp"
+#include "native/cmd_presets.hpp"
+#include "native/cmd_render.hpp"
+
+int main(int count, char** arguments) {
+  CLI::App program("Terrella: procedural planets", "terrella");
+  program.require_subcommand(1);
+  int exit_code = 0;
+  terrella::add_render_command(program, exit_code);
+  terrella::add_manual_command(program);
+  terrella::add_presets_command(program);
+  try {
+    program.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    const int code = program.exit(error);
+    return code == 0 ? 0 : 2;
+  }
+  return exit_code;
+}

@@ -1,0 +1,66 @@
+#include "native/options.hpp"
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "scene/json.hpp"
+#include "scene/link.hpp"
+#include "scene/parameters.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+void apply_preset(const std::string& name, SceneChoice& choice) {
+  const Preset* preset = find_preset(name);
+  if (preset == nullptr) {
+    choice.issues.add(no_such_preset(name));
+  } else {
+    choice.document = {preset->scene, preset->name};
+  }
+}
+
+void apply_file(const std::string& path, SceneChoice& choice) {
+  const Result<std::string> text = read_file(path, kLongestJson);
+  if (!text) {
+    choice.issues.add("", text.sentence());
+  } else {
+    choice.issues.add(load_json(choice.document, *text));
+  }
+}
+
+void apply_setting(const std::string& setting, SceneChoice& choice) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) {
+    choice.issues.add("", text_of("--set \"", shortened(setting), "\" is not of the form group.name=value."));
+  } else if (auto issue = assign_text(choice.document.scene, setting.substr(0, equals), setting.substr(equals + 1))) {
+    choice.issues.add(std::move(*issue));
+  }
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  const char* const group = "Scene, applied in this order";
+  command.add_option("--preset", options.preset, "A preset's name; `terrella presets` lists them")
+      ->type_name("NAME")
+      ->group(group);
+  command.add_option("--scene", options.scene_file, "A scene as JSON")->type_name("FILE.json")->group(group);
+  command.add_option("--link", options.link, "A scene as a link, or only the link's query")
+      ->type_name("LINK")
+      ->group(group);
+  command.add_option("--set", options.settings, "A parameter; may be given many times; see `terrella manual`")
+      ->type_name("group.name=value")
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+SceneChoice choose_scene(const SceneOptions& options) {
+  SceneChoice choice;
+  if (options.preset) apply_preset(*options.preset, choice);
+  if (options.scene_file) apply_file(*options.scene_file, choice);
+  if (options.link) choice.issues.add(load_link(choice.document, *options.link));
+  for (const std::string& setting : options.settings) apply_setting(setting, choice);
+  return choice;
+}
+
+}  // namespace terrella

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/issues.hpp"
+#include "scene/document.hpp"
+
+namespace terrella {
+
+// The options by which every subcommand that draws is told its scene.
+struct SceneOptions {
+  std::optional<std::string> preset;
+  std::optional<std::string> scene_file;
+  std::optional<std::string> link;
+  std::vector<std::string> settings;  // "group.name=value"
+};
+
+// Adds --preset, --scene, --link and --set to a subcommand. `options` must outlive the parsing.
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+struct SceneChoice {
+  SceneDocument document;
+  Issues issues;  // if there are any, the command ends with exit code 2 and writes nothing
+};
+
+// The scene that the options ask for: the default, then the preset, the file, the link and the settings, in this order.
+SceneChoice choose_scene(const SceneOptions& options);
+
+}  // namespace terrella

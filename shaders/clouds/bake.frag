@@ -1,0 +1,27 @@
+// Fills a face of a map of the clouds: flow noise (Sandahl 18), its sum divided by the sum of amplitudes.
+#include "scene_block.glsl"
+#include "lib/clouds.glsl"
+
+uniform int octaves;
+uniform vec4 angles[3];  // by which each layer's gradients are turned, rad
+
+in vec3 cube_direction;
+out vec4 fragment;
+
+void main() {
+  vec3 direction = normalize(cube_direction);
+  uint seed = uint(planet_seed) + 5021u;
+  vec3 warp = vec3(0.0);
+  float frequency = clouds_frequency;
+  float amplitude = 1.0;
+  float sum = 0.0;
+  float total = 0.0;
+  for (int i = 0; i < octaves; ++i) {
+    float angle = angles[i >> 2][i & 3];
+    sum += flow_layer(direction, frequency, amplitude, clouds_warp, angle, i, seed, warp);
+    total += amplitude;
+    frequency *= 2.0;
+    amplitude *= clouds_persistence;
+  }
+  fragment = vec4(total > 0.0 ? sum / total : 0.0, 0.0, 0.0, 1.0);
+}

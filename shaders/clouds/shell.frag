@@ -1,0 +1,27 @@
+// The shell of clouds, lit by the sun through itself, seen from above and from below.
+#include "scene_light.glsl"
+#include "output.glsl"
+
+in vec3 surface_position;
+in vec3 surface_from_eye;
+
+void main() {
+  vec3 up = normalize(surface_position);
+  float thickness = cloud_over(up, 0.0);
+  if (thickness <= 0.0) discard;
+  vec3 to_eye = -normalize(surface_from_eye);
+  vec3 sun = sun_direction.xyz;
+  float climb = dot(up, sun);
+  // Two samples towards the sun, as far apart as the layer is deep and the sun low.
+  vec3 toward = sun - climb * up;
+  float reach = clouds_thickness / max(climb, 0.25);
+  float before = 0.6 * cloud_over(normalize(up + reach * toward), 0.5) + 0.4 * cloud_over(normalize(up + 2.2 * reach * toward), 1.0);
+  float depth = 2.2 * before + 0.9 * thickness * (dot(up, to_eye) < 0.0 ? 1.6 : 0.55);
+  float self_shade = mix(1.0, exp(-depth), clouds_shadow);
+  vec3 sunlit = sunlight_at(up, clouds_height) * wrap_diffuse(climb, 0.25) * self_shade;
+  vec3 light = clouds_color.rgb * (sunlit + 1.6 * skylight_at(up, up)) * 0.62;
+  // A shell seen along its edge would end in a line.
+  float edge = smoothstep(0.0, 0.16, abs(dot(up, to_eye)));
+  float opacity = clouds_density * thickness * edge;
+  emit_veil(through_air(light, surface_from_eye) * opacity, opacity);
+}

@@ -1,0 +1,22 @@
+// What changes with every frame. Lengths in planet radii; C++ fills it in src/passes/frame.cpp.
+layout(std140) uniform FrameBlock {
+  mat4 clip_from_eye;      // of positions relative to the eye
+  vec4 eye_high;           // the eye, rounded to single precision; w: its height over the unit sphere
+  vec4 eye_low;            // what the rounding lost
+  vec4 ray_forward;        // unit; w: angle of a pixel, rad
+  vec4 ray_right;          // to the right edge of the picture at distance 1
+  vec4 ray_up;             // to its upper edge
+  vec4 sun_direction;      // unit; w: exposure, a factor
+  vec4 sun_light;          // linear colour times intensity
+  vec4 ground_map_scale;   // x: angle of a texel; y, z: first and end of the octaves computed per pixel; w: 1 if water hides the ground under it
+  vec4 cloud_turn;         // x, y: cosine and sine of the drift; z: blend of the two maps; w: 1 if there are clouds
+  vec4 sea;                // x: radius; y: most that waves rise over it; z: number of waves; w: depth at which they are whole
+  vec4 ripple;             // x: angle of the turned gradients; y: steepness, 0 where there are none; z: 1 if there is air; w: edge of the sea's mesh, rad
+  ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
+};
+
+// The eye in single precision: for what is not near it.
+vec3 eye_position() { return eye_high.xyz; }
+
+// A position relative to the eye, without the error of a large difference.
+vec3 from_eye(vec3 position) { return (position - eye_high.xyz) - eye_low.xyz; }

@@ -1,0 +1,29 @@
+// Fills a face of the map of the ground: gradient of the height, and height over the water.
+#include "scene_block.glsl"
+#include "lib/heights.glsl"
+
+uniform float texel_angle;
+
+in vec3 cube_direction;
+out vec4 fragment;
+
+Terrain scene_terrain() {
+  Terrain t;
+  t.height = terrain_height;
+  t.frequency = terrain_frequency;
+  t.octaves = terrain_octaves;
+  t.persistence = terrain_persistence;
+  t.lacunarity = terrain_lacunarity;
+  t.power = terrain_power;
+  t.ridged = terrain_ridged != 0;
+  t.sharpness = terrain_ridge_sharpness;
+  t.seed = uint(planet_seed);
+  return t;
+}
+
+void main() {
+  vec3 direction = normalize(cube_direction);
+  Height ground = terrain_height_at(direction, scene_terrain(), texel_angle);
+  vec3 tangential = ground.gradient - dot(ground.gradient, direction) * direction;
+  fragment = vec4(tangential, ground.value - water_level);
+}

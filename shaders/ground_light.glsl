@@ -1,0 +1,36 @@
+// The ground as it is lit: used by the ground itself and by the water, at the bottom and along the shore.
+#include "scene_light.glsl"
+#include "lib/ground.glsl"
+#include "lib/heights.glsl"
+
+// xyz: gradient of the height over the unit sphere; w: height over the water, radii.
+uniform samplerCube ground_map;
+
+Bands scene_bands() {
+  Bands b;
+  b.sand = terrain_sand_color.rgb;
+  b.land = terrain_land_color.rgb;
+  b.mountain = terrain_mountain_color.rgb;
+  b.snow = terrain_snow_color.rgb;
+  b.seabed = terrain_seabed_color.rgb;
+  b.sand_height = terrain_sand_height;
+  b.mountain_height = terrain_mountain_height;
+  b.snow_height = terrain_snow_height;
+  b.softness = terrain_softness;
+  b.slope_rock = terrain_slope_rock;
+  b.snow_sine = terrain_snow_latitude >= 90.0 ? 2.0 : sin(radians(terrain_snow_latitude));
+  return b;
+}
+
+// Colour of the ground without light. height: over the water; gradient: of the height; normal: of the ground.
+vec3 ground_albedo(vec3 up, float height, vec3 gradient, vec3 normal) {
+  // The gradient's share along a fixed axis changes its sign from place to place: enough to break up lines.
+  float variation = clamp(dot(gradient, vec3(0.61, -0.52, 0.60)) * 0.8, -1.0, 1.0);
+  return ground_color(height, 1.0 - dot(up, normal), up.z, variation, scene_bands());
+}
+
+// Light that the ground sends to the eye. place: position; shade: part of the sunlight left by the clouds.
+vec3 ground_light(vec3 albedo, vec3 up, vec3 normal, float height, float shade) {
+  float cosine = max(dot(normal, sun_direction.xyz), 0.0);
+  return albedo * (sunlight_at(up, height) * cosine * shade + skylight_at(up, normal) * mix(0.7, 1.0, shade)) * 0.6;
+}

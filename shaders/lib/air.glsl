@@ -1,0 +1,65 @@
+// Air as a thin shell of light (Sandahl 2022, section 2.4 and equation 19), made whole: it is brightest at the planet's
+// limb and fades to nothing at its outer edge, holds from outside and from within, and thins with the path before a
+// surface. Lengths in planet radii, the planet's ground being the unit sphere.
+#include "lib/optics.glsl"
+
+struct Air {
+  float top;        // radius of the outer edge, > 1
+  float density;    // opacity along the limb, 0..1
+  float exponent;   // a of (1 - V.N)^a
+  float wrap;       // w of (19)
+  vec3 color;       // by day
+  vec3 dusk;        // where the sun stands low
+};
+
+// The piece of a ray that lies in the shell.
+struct AirPath {
+  float enter;   // distance along the ray, >= 0
+  float leave;   // >= enter; equal where the ray misses the shell
+  float cosine;  // V.N where the ray crosses the shell's edge, 0..1
+};
+
+// (1 - cosine)^a with the cosine held to 0..1 and x^0 = 1 (Sandahl 2.4, V being the view direction).
+float fresnel_alpha(float cosine, float a) {
+  float x = 1.0 - clamp(cosine, 0.0, 1.0);
+  if (a == 0.0) return 1.0;
+  return x > 0.0 ? pow(x, a) : 0.0;
+}
+
+// Where a ray crosses a sphere around the centre. eye: position; ray: unit. No root is lost to cancellation: the
+// distance of the ray from the centre is taken from its own perpendicular.
+AirPath air_path(vec3 eye, vec3 ray, float top) {
+  float along = dot(eye, ray);
+  vec3 perpendicular_foot = eye - along * ray;
+  float half2 = top * top - dot(perpendicular_foot, perpendicular_foot);
+  float chord = half2 > 0.0 ? sqrt(half2) : 0.0;
+  AirPath path;
+  path.enter = max(-along - chord, 0.0);
+  path.leave = max(-along + chord, path.enter);
+  path.cosine = chord / top;
+  return path;
+}
+
+// Opacity along the whole of a ray's way through the shell, 0..1. cosine: of AirPath. The limb is where the ray touches
+// the ground: (1 - V.N)^a inside of it, fading to 0 at the outer edge.
+float air_opacity(float cosine, Air air) {
+  float limb = sqrt((air.top - 1.0) * (air.top + 1.0)) / air.top;
+  float inside = fresnel_alpha((cosine - limb) / max(1.0 - limb, 1.0e-6), air.exponent);
+  float rim = clamp(cosine / max(limb, 1.0e-6), 0.0, 1.0);
+  return air.density * inside * rim * rim * rim;
+}
+
+// Opacity before a surface at a distance, when the whole way would have the given opacity: optical depth grows with the
+// path. whole: length of the whole way, > 0.
+float air_opacity_before(float opacity, float path, float whole) {
+  float depth = -log(max(1.0 - opacity, 1.0e-4));
+  return 1.0 - exp(-depth * clamp(path / max(whole, 1.0e-9), 0.0, 1.0));
+}
+
+// Light that the air at a place gives: day, dusk, night. up: unit, from the centre to the place; sun: unit.
+vec3 air_light(vec3 up, vec3 sun, Air air) {
+  float height = dot(up, sun);
+  float day = wrap_diffuse(height, air.wrap);
+  float low = smoothstep(-air.wrap, 0.12, height) * (1.0 - smoothstep(0.02, 0.42, height));
+  return mix(air.color, air.dusk, 0.75 * low) * day;
+}

@@ -1,0 +1,20 @@
+// Clouds as flow noise on a sphere (Sandahl 2022, equation 18).
+#include "lib/noise.glsl"
+
+// One layer on top of those before: returns its share and adds its gradient to the warp that stirs the next ones.
+float flow_layer(vec3 direction, float frequency, float amplitude, float strength, float angle, int layer, uint seed,
+                 inout vec3 warp) {
+  vec3 q = direction * frequency + strength * warp + layer_offset(layer, seed);
+  Noise n = flow_noise(ivec3(0), q, angle, layer_seed(layer, seed));
+  warp += amplitude * n.gradient;
+  return amplitude * n.value;
+}
+
+// Thickness of the cloud, 0..1, from the noise at a place (its sum divided by the sum of amplitudes, -1..1). coverage:
+// part of the sky that is covered, 0..1; softness 0..1.
+float cloud_thickness(float noise, float coverage, float softness) {
+  float threshold = 0.42 * (1.0 - 2.0 * coverage);
+  float width = 0.02 + 0.5 * softness;
+  float full = clamp((noise - threshold) / width + 0.5 * softness, 0.0, 1.0);
+  return coverage <= 0.0 ? 0.0 : full * full * (3.0 - 2.0 * full);
+}

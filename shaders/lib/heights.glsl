@@ -1,0 +1,105 @@
+// The height of the ground: layers of noise, shaped (Sandahl 2022, equations 1 to 6).
+#include "lib/noise.glsl"
+
+struct Terrain {
+  float height;       // H, planet radii
+  float frequency;    // of the coarsest layer, cells per radius
+  int octaves;        // 0..24
+  float persistence;  // 0..1.5
+  float lacunarity;   // 1..4
+  float power;        // p, 0..16
+  bool ridged;
+  float sharpness;  // k of the smooth absolute value, 0..1000
+  uint seed;
+};
+
+// A height and how it changes over the unit sphere (radii per radian along each axis, not yet made tangential).
+struct Height {
+  float value;
+  vec3 gradient;
+};
+
+// x tanh(k x): |x| without its edge (5). k >= 0; total, where the printed form overflows for k|x| > 88.
+float smooth_abs(float x, float k) {
+  float u = 2.0 * k * abs(x);
+  if (u < 0.7) return abs(x) * tanh(0.5 * u);
+  float e = exp(-u);
+  return abs(x) * (1.0 - e) / (1.0 + e);
+}
+
+// The derivative of smooth_abs by x, -1.2..1.2.
+float smooth_abs_slope(float x, float k) {
+  float u = min(k * abs(x), 40.0);
+  float e = exp(-2.0 * u);
+  float t = u < 0.35 ? tanh(u) : (1.0 - e) / (1.0 + e);
+  float slope = t + u * (1.0 - t * t);
+  return x < 0.0 ? -slope : slope;
+}
+
+// H h^p (6), with h held to 0..1 (noise passes its ends by a hundredth), 0^0 = 1 and 0^p = 0.
+float height_power(float h, float height, float p) {
+  float x = clamp(h, 0.0, 1.0);
+  if (p == 0.0) return height;
+  return x > 0.0 ? height * pow(x, p) : 0.0;
+}
+
+// The derivative of height_power by h; 0 where h is held, and finite at 0.
+float height_power_slope(float h, float height, float p) {
+  if (h <= 0.0 || h >= 1.0) return 0.0;
+  return height * p * pow(max(h, 1.0e-3), p - 1.0);
+}
+
+// One layer from a noise value: (1 + n)/2 as in (1), or the ridge 1 - |n| as in (4).
+float layer_value(float n, bool ridged, float sharpness) {
+  return ridged ? 1.0 - smooth_abs(n, sharpness) : 0.5 + 0.5 * n;
+}
+
+float layer_slope(float n, bool ridged, float sharpness) {
+  return ridged ? -smooth_abs_slope(n, sharpness) : 0.5;
+}
+
+// What a layer too fine to be shown leaves behind: its mean. 0.31 is E|n| of the noise (tests/laws/noise_test.cpp).
+float layer_mean(bool ridged) {
+  return ridged ? 0.69 : 0.5;
+}
+
+// How much of a layer a grid or a picture can show, 0..1: all of it from four samples a cell on, nothing below two.
+// frequency: cells per radian; footprint: distance of neighbouring samples, rad.
+float layer_weight(float frequency, float footprint) {
+  return 1.0 - smoothstep(0.25, 0.5, frequency * footprint);
+}
+
+// The ground at a direction (unit), without what samples a footprint (rad) apart can't show.
+Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
+  float amplitude = 1.0;
+  float frequency = t.frequency;
+  float total = 0.0;
+  float sum = 0.0;
+  vec3 gradient = vec3(0.0);
+  for (int i = 0; i < t.octaves; ++i) {
+    float shown = layer_weight(frequency, footprint);
+    float mean = layer_mean(t.ridged);
+    float value = mean;
+    if (shown > 0.0) {
+      Noise n = simplex_noise(ivec3(0), direction * frequency + layer_offset(i, t.seed), layer_seed(i, t.seed));
+      value = mix(mean, layer_value(n.value, t.ridged, t.sharpness), shown);
+      gradient += amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
+    }
+    sum += amplitude * value;
+    total += amplitude;
+    amplitude *= t.persistence;
+    frequency *= t.lacunarity;
+  }
+  float h = total > 0.0 ? sum / total : 0.0;
+  Height ground;
+  ground.value = t.octaves > 0 ? height_power(h, t.height, t.power) : 0.0;
+  ground.gradient = total > 0.0 ? gradient * (height_power_slope(h, t.height, t.power) / total) : vec3(0.0);
+  return ground;
+}
+
+// The outward normal of a surface at radius (planet radii) whose radius changes by gradient over the unit sphere
+// (Sandahl (13) as it must be: the gradient divided by the radius, and only its tangential part).
+vec3 surface_normal(vec3 direction, float radius, vec3 gradient) {
+  vec3 tangential = gradient - dot(gradient, direction) * direction;
+  return normalize(direction - tangential / radius);
+}

@@ -1,0 +1,49 @@
+// Light at surfaces and through water.
+
+// Reflectance at right incidence between two refractive indices (Sandahl 17).
+float reflectance_at_normal(float n1, float n2) {
+  float r = (n1 - n2) / (n1 + n2);
+  return r * r;
+}
+
+// Reflectance of a smooth dielectric (Schlick 1994; Sandahl 17, with the view direction that the print calls light).
+// cosine: of normal and view, held to 0..1. r0: reflectance at 1.
+float schlick(float cosine, float r0) {
+  float m = 1.0 - clamp(cosine, 0.0, 1.0);
+  float m2 = m * m;
+  return r0 + (1.0 - r0) * m2 * m2 * m;
+}
+
+// Diffuse light that reaches round the edge (Green 2004; Sandahl 19). wrap: 0..1; 0 is Lambert's law.
+float wrap_diffuse(float cosine, float wrap) {
+  return max(0.0, (cosine + wrap) / (1.0 + wrap));
+}
+
+// Part of the light that is left after a path through an absorber. path >= 0 in the unit of 1/extinction.
+vec3 transmitted(vec3 extinction, float path) {
+  return exp(-extinction * max(path, 0.0));
+}
+
+// The extinction for which white light takes the colour tint after one unit of length. tint: linear, held above 1e-4.
+vec3 extinction_of(vec3 tint) {
+  return -log(clamp(tint, vec3(1.0e-4), vec3(1.0)));
+}
+
+// Glitter of a light on a rough surface: the GGX lobe (Walter et al. 2007) with the visibility of Hammon 2017, without
+// its Fresnel factor. All cosines held to 0..1; roughness 0.02..1. Includes the cosine of the light.
+float glitter(float normal_half, float normal_view, float normal_light, float roughness) {
+  float a = roughness * roughness;
+  float a2 = a * a;
+  float nh = clamp(normal_half, 0.0, 1.0);
+  float nv = max(normal_view, 1.0e-3);
+  float nl = max(normal_light, 0.0);
+  float d = (nh * a2 - nh) * nh + 1.0;
+  float visibility = 0.5 / mix(2.0 * nl * nv, nl + nv, a);
+  return nl > 0.0 ? a2 / (3.141592653589793 * d * d) * visibility * nl : 0.0;
+}
+
+// Phong's highlight, normalised so that a sharper one is brighter. exponent 1..1000.
+float phong(float reflected_light, float exponent) {
+  float c = clamp(reflected_light, 0.0, 1.0);
+  return c > 0.0 ? pow(c, exponent) * (exponent + 2.0) / 6.283185307179586 : 0.0;
+}

@@ -1,0 +1,92 @@
+// Trochoidal waves on a sphere (Sandahl 2022, equations 14 to 16; Michelic 2018, 7 to 11), in planet radii, on the unit
+// sphere. Directions are unit tangents, which the printed (15) is not, and the normal is exact, which (16) is not.
+
+struct Wave {
+  vec3 origin;       // unit vector to the place that the wave comes from
+  float amplitude;   // A
+  float wavenumber;  // w, rad per radian of arc
+  float phase;       // phi t, reduced to one turn
+  float pinch;       // Q A: how far water moves to and fro
+};
+
+// A tangent frame at v: east x north = v.
+struct Frame {
+  vec3 east;
+  vec3 north;
+};
+
+// The sum of waves at a place, told in its frame; slopes and stretches are per radian of arc.
+struct WaveSum {
+  float height;        // along v
+  vec2 shift;          // along east, north
+  vec2 slope;          // d height
+  float stretch_ee;    // d shift.x along east
+  float stretch_en;    // d shift.x along north
+  float stretch_ne;    // d shift.y along east
+  float stretch_nn;    // d shift.y along north
+};
+
+WaveSum no_waves() {
+  WaveSum s;
+  s.height = 0.0;
+  s.shift = vec2(0.0);
+  s.slope = vec2(0.0);
+  s.stretch_ee = 0.0;
+  s.stretch_en = 0.0;
+  s.stretch_ne = 0.0;
+  s.stretch_nn = 0.0;
+  return s;
+}
+
+// Adds one wave at v. Near its origin and the antipode, where its direction turns, it fades within a wavelength. weight
+// fades the wave as a whole.
+void add_wave(inout WaveSum sum, vec3 v, Frame frame, Wave wave, float weight) {
+  float cosine = dot(v, wave.origin);
+  vec2 toward = vec2(dot(wave.origin, frame.east), dot(wave.origin, frame.north));
+  float sine = length(toward);
+  if (sine < 1.0e-6 || weight <= 0.0) return;
+  vec2 d = -toward / sine;
+  float lengths = sine * wave.wavenumber / 6.283185307179586;
+  float x = clamp(lengths - 0.25, 0.0, 1.0);
+  float fade = weight * x * x * (3.0 - 2.0 * x);
+  float fade_slope = weight * 6.0 * x * (1.0 - x) * cosine * wave.wavenumber / 6.283185307179586;
+  float angle = wave.wavenumber * atan(sine, cosine) + wave.phase;
+  float s = sin(angle);
+  float c = cos(angle);
+  float pinch = fade * wave.pinch;
+  sum.height += fade * wave.amplitude * s;
+  sum.shift += pinch * c * d;
+  sum.slope += (wave.amplitude * (fade * wave.wavenumber * c + fade_slope * s) - pinch * c) * d;
+  float along = fade_slope * wave.pinch * c - pinch * wave.wavenumber * s;
+  float across = pinch * c * cosine / sine;
+  sum.stretch_ee += along * d.x * d.x + across * d.y * d.y;
+  sum.stretch_en += (along - across) * d.x * d.y;
+  sum.stretch_ne += (along - across) * d.x * d.y;
+  sum.stretch_nn += along * d.y * d.y + across * d.x * d.x;
+}
+
+// Multiplies the whole sum by a factor that itself changes along east and north (shallow water holds waves back).
+WaveSum attenuate(WaveSum sum, float factor, vec2 factor_slope) {
+  WaveSum s;
+  s.height = factor * sum.height;
+  s.shift = factor * sum.shift;
+  s.slope = factor * sum.slope + sum.height * factor_slope;
+  s.stretch_ee = factor * sum.stretch_ee + sum.shift.x * factor_slope.x;
+  s.stretch_en = factor * sum.stretch_en + sum.shift.x * factor_slope.y;
+  s.stretch_ne = factor * sum.stretch_ne + sum.shift.y * factor_slope.x;
+  s.stretch_nn = factor * sum.stretch_nn + sum.shift.y * factor_slope.y;
+  return s;
+}
+
+// Where the water of v has gone: the offset from a still sea of the given radius (14).
+vec3 wave_offset(vec3 v, Frame frame, WaveSum sum) {
+  return sum.height * v + sum.shift.x * frame.east + sum.shift.y * frame.north;
+}
+
+// The normal of the displaced surface, not yet of unit length, in the frame's axes (east, north, up): the cross product
+// of the two tangents. Its third component is the Jacobian: 1 undisturbed, below 0 where the surface has folded over.
+vec3 wave_normal(WaveSum sum) {
+  vec3 east = vec3(1.0 + sum.height + sum.stretch_ee, sum.stretch_ne, sum.slope.x);
+  vec3 north = vec3(sum.stretch_en, 1.0 + sum.height + sum.stretch_nn, sum.slope.y);
+  return cross(east, north);
+}

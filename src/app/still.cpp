@@ -1,0 +1,94 @@
+#include "app/still.hpp"
+
+#include <algorithm>
+
+#include "formulas/formulas.hpp"
+#include "gl/target.hpp"
+
+namespace terrella {
+namespace {
+
+View view_of(const StillOptions& options) {
+  View view;
+  view.width = options.width;
+  view.height = options.height;
+  view.seconds = options.seconds;
+  return view;
+}
+
+// The mean of the light of all samples, 3 channels, top row first.
+Image mean_light(Renderer& renderer, const Scene& scene, const StillOptions& options) {
+  Image mean(options.width, options.height, 3);
+  View view = view_of(options);
+  const int n = options.samples;
+  const float share = 1.0F / static_cast<float>(n * n);
+  for (int sample = 0; sample < n * n; ++sample) {
+    view.shift = {(sample % n + 0.5) / n - 0.5, (sample / n + 0.5) / n - 0.5};
+    renderer.draw(scene, view, {Channel::color, Effort::complete, true});
+    const std::vector<float> light = renderer.read_light();
+    for (int y = 0; y < options.height; ++y) {
+      const float* from = light.data() + std::size_t{4} * static_cast<std::size_t>(options.height - 1 - y) *
+                                             static_cast<std::size_t>(options.width);
+      for (int x = 0; x < options.width; ++x) {
+        for (int c = 0; c < 3; ++c) mean.at(x, y)[c] += share * from[4 * x + c];
+      }
+    }
+  }
+  return mean;
+}
+
+Image developed(const Image& light, int tone) {
+  Image picture(light.width, light.height, 3);
+  for (int y = 0; y < light.height; ++y) {
+    for (int x = 0; x < light.width; ++x) {
+      const float* from = light.at(x, y);
+      const float noise = f32::dither(glm::vec2(x, y)) / 255.0F;
+      const glm::vec3 shown = f32::srgb(f32::tone_map(glm::vec3(from[0], from[1], from[2]), tone)) + noise;
+      for (int c = 0; c < 3; ++c) picture.at(x, y)[c] = std::clamp(shown[c], 0.0F, 1.0F);
+    }
+  }
+  return picture;
+}
+
+}  // namespace
+
+Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& options) {
+  if (options.samples > 1) return developed(mean_light(renderer, scene, options), scene.picture.tone);
+  View view = view_of(options);
+  view.width = std::max(1, static_cast<int>(options.width * scene.quality.resolution_scale + 0.5));
+  view.height = std::max(1, static_cast<int>(options.height * scene.quality.resolution_scale + 0.5));
+  renderer.draw(scene, view, {});
+  const gl::Target target(options.width, options.height, gl::Format::rgba8, false);
+  target.begin();
+  renderer.show(target.framebuffer(), options.width, options.height, scene.quality.antialias);
+  const std::vector<unsigned char> bytes = target.read_bytes();
+  Image picture(options.width, options.height, 3);
+  for (int y = 0; y < options.height; ++y) {
+    const unsigned char* from = bytes.data() + std::size_t{4} * static_cast<std::size_t>(options.height - 1 - y) *
+                                                   static_cast<std::size_t>(options.width);
+    for (int x = 0; x < options.width; ++x) {
+      for (int c = 0; c < 3; ++c) picture.at(x, y)[c] = static_cast<float>(from[4 * x + c]) / 255.0F;
+    }
+  }
+  return picture;
+}
+
+Image take_measurement(Renderer& renderer, const Scene& scene, const StillOptions& options, Channel channel) {
+  if (channel == Channel::color) return mean_light(renderer, scene, options);
+  renderer.draw(scene, view_of(options), {channel, Effort::complete, true});
+  const std::vector<float> values = renderer.read_light();
+  const int channels = channel == Channel::normal ? 3 : 1;
+  // The GPU measures in planet radii.
+  const double unit = channel == Channel::normal ? 1.0 : scene.planet.radius;
+  Image image(options.width, options.height, channels);
+  for (int y = 0; y < options.height; ++y) {
+    const float* from = values.data() + std::size_t{4} * static_cast<std::size_t>(options.height - 1 - y) *
+                                            static_cast<std::size_t>(options.width);
+    for (int x = 0; x < options.width; ++x) {
+      for (int c = 0; c < channels; ++c) image.at(x, y)[c] = static_cast<float>(unit * double{from[4 * x + c]});
+    }
+  }
+  return image;
+}
+
+}  // namespace terrella

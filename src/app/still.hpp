@@ -1,0 +1,23 @@
+// Single pictures of a scene, whole and as fine as the scene asks.
+#pragma once
+
+#include "base/image.hpp"
+#include "render/renderer.hpp"
+
+namespace terrella {
+
+struct StillOptions {
+  int width = 1280, height = 720;  // pixels, 1 to caps().max_texture
+  double seconds = 0.0;
+  int samples = 1;  // along each side of a pixel, >= 1
+};
+
+// An sRGB picture, 3 channels, 0..1.
+Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& options);
+
+// For Channel::color: linear light after exposure, before tone mapping, 3 channels. distance: from the eye, m, +Inf for the
+// sky, 1 channel. height: over the sphere, m, +Inf for the sky, 1 channel. normal: unit, planet axes, 0 for the sky, 3
+// channels. Measurements are taken in the middle of a pixel, whatever the number of samples.
+Image take_measurement(Renderer& renderer, const Scene& scene, const StillOptions& options, Channel channel);
+
+}  // namespace terrella

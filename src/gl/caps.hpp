@@ -1,0 +1,26 @@
+// What this machine's OpenGL can do, asked once after a context is made (and again after one was lost).
+#pragma once
+
+#include <string>
+
+namespace terrella::gl {
+
+struct Caps {
+  std::string renderer;          // the driver's own name
+  bool es = false;               // OpenGL ES or WebGL, not desktop OpenGL
+  bool float_targets = false;    // 16 bit float textures can be drawn to; without them nothing can be drawn here
+  bool full_float_targets = false;  // 32 bit ones too
+  bool parallel_compile = false;    // shaders compile in the background and say when they are done
+  int max_texture = 0;              // pixels along a side
+};
+
+// Reads the capabilities of the current context.
+Caps read_caps();
+
+// Those of the context that read_caps saw last.
+const Caps& caps();
+
+// Sets the state that every pass relies on. Call once for a context.
+void set_up_context();
+
+}  // namespace terrella::gl

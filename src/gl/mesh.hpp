@@ -1,0 +1,56 @@
+// Geometry on the GPU: one buffer of vertices, an optional one of indices.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glm/vec3.hpp>
+
+#include "gl/handle.hpp"
+#include "gl/ledger.hpp"
+
+namespace terrella::gl {
+
+// Triangles with one vec3 a vertex (attribute 0).
+class Mesh {
+ public:
+  // vertices: positions or directions; indices: three a triangle, counter-clockwise from outside.
+  Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices);
+
+  void draw() const;
+
+  [[nodiscard]] std::int64_t triangles() const { return count_ / 3; }
+
+ private:
+  VertexArrayHandle array_;
+  BufferHandle vertices_;
+  BufferHandle indices_;
+  GLsizei count_;
+  Holding memory_;
+};
+
+// Points with a fixed number of floats each, read as vec4 attributes 0, 1, ….
+class Points {
+ public:
+  // data: vec4s_each * 4 floats a point.
+  Points(std::span<const float> data, int vec4s_each);
+
+  void draw() const;
+
+ private:
+  VertexArrayHandle array_;
+  BufferHandle vertices_;
+  GLsizei count_;
+  Holding memory_;
+};
+
+// One triangle that covers the whole picture; its vertex shader makes the corners from gl_VertexID.
+class FullScreen {
+ public:
+  void draw() const;
+
+ private:
+  VertexArrayHandle array_;
+};
+
+}  // namespace terrella::gl

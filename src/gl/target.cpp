@@ -1,0 +1,57 @@
+#include "gl/target.hpp"
+
+#include "base/check.hpp"
+
+namespace terrella::gl {
+
+Target::Target(int width, int height, Format format, bool depth) : image_(width, height, format) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image_.name(), 0);
+  if (depth) {
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+    memory_.set(std::int64_t{width} * height * 4);
+  }
+  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+  CHECK(status == GL_FRAMEBUFFER_COMPLETE, status, width, height);
+}
+
+void Target::begin() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glViewport(0, 0, image_.width(), image_.height());
+}
+
+std::vector<float> Target::read_floats() const {
+  const auto count = 4 * static_cast<std::size_t>(image_.width()) * static_cast<std::size_t>(image_.height());
+  std::vector<float> pixels(count);
+  begin();
+  glReadPixels(0, 0, image_.width(), image_.height(), GL_RGBA, GL_FLOAT, pixels.data());
+  return pixels;
+}
+
+std::vector<unsigned char> Target::read_bytes() const {
+  const auto count = 4 * static_cast<std::size_t>(image_.width()) * static_cast<std::size_t>(image_.height());
+  std::vector<unsigned char> pixels(count);
+  begin();
+  glReadPixels(0, 0, image_.width(), image_.height(), GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  return pixels;
+}
+
+void CubeTarget::begin(const CubeMap& map, int face, int first, int end) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                         GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), map.name(), 0);
+  glViewport(0, 0, map.side(), map.side());
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, first, map.side(), end - first);
+}
+
+void CubeTarget::end() { glDisable(GL_SCISSOR_TEST); }
+
+void begin_screen(GLuint framebuffer, int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, width, height);
+}
+
+}  // namespace terrella::gl

@@ -1,0 +1,46 @@
+// Where drawing goes.
+#pragma once
+
+#include <vector>
+
+#include "gl/texture.hpp"
+
+namespace terrella::gl {
+
+// A picture to draw into, with depth if asked.
+class Target {
+ public:
+  Target(int width, int height, Format format, bool depth);
+
+  // Directs drawing here and sets the viewport to the whole of it.
+  void begin() const;
+
+  [[nodiscard]] const Image& image() const { return image_; }
+  [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
+
+  // Reads it back: four channels, bottom row first. Waits for the GPU.
+  [[nodiscard]] std::vector<float> read_floats() const;
+  [[nodiscard]] std::vector<unsigned char> read_bytes() const;
+
+ private:
+  Image image_;
+  FramebufferHandle framebuffer_;
+  RenderbufferHandle depth_;
+  Holding memory_;
+};
+
+// Draws into rows of one face of a cube map.
+class CubeTarget {
+ public:
+  // Directs drawing to rows [first, end) of a face 0..5.
+  void begin(const CubeMap& map, int face, int first, int end) const;
+  static void end();
+
+ private:
+  FramebufferHandle framebuffer_;
+};
+
+// Directs drawing to the window (or canvas), or to another framebuffer of the caller's.
+void begin_screen(GLuint framebuffer, int width, int height);
+
+}  // namespace terrella::gl

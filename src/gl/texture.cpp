@@ -1,0 +1,78 @@
+#include "gl/texture.hpp"
+
+#include "base/check.hpp"
+
+namespace terrella::gl {
+namespace {
+
+struct Layout {
+  GLenum internal, format, type;
+  int bytes;
+};
+
+Layout layout_of(Format format) {
+  switch (format) {
+    case Format::rgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::rgba16f: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
+    case Format::rgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    case Format::r16f: return {GL_R16F, GL_RED, GL_HALF_FLOAT, 2};
+  }
+  return {};
+}
+
+void set_filters(GLenum target, GLenum minify, GLenum magnify) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minify));
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(magnify));
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+}  // namespace
+
+int bytes_of(Format format) { return layout_of(format).bytes; }
+
+Image::Image(int width, int height, Format format) : width_(width), height_(height), format_(format) {
+  CHECK(width >= 1 && height >= 1, width, height);
+  const Layout layout = layout_of(format);
+  glBindTexture(GL_TEXTURE_2D, name());
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(layout.internal), width, height, 0, layout.format, layout.type,
+               nullptr);
+  // 32 bit floats need not be filterable.
+  const GLenum filter = format == Format::rgba32f ? GL_NEAREST : GL_LINEAR;
+  set_filters(GL_TEXTURE_2D, filter, filter);
+  memory_.set(std::int64_t{width} * height * layout.bytes);
+}
+
+void Image::bind(int unit) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, name());
+}
+
+CubeMap::CubeMap(int side, Format format) : side_(side) {
+  CHECK(side >= 1, side);
+  const Layout layout = layout_of(format);
+  glBindTexture(GL_TEXTURE_CUBE_MAP, name());
+  set_filters(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  std::int64_t texels = 0;
+  int level = 0;
+  for (int s = side; s >= 1; s /= 2, ++level) {
+    for (GLenum face = 0; face < 6; ++face) {
+      glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, static_cast<GLint>(layout.internal), s, s, 0,
+                   layout.format, layout.type, nullptr);
+    }
+    texels += 6 * std::int64_t{s} * s;
+  }
+  memory_.set(texels * layout.bytes);
+}
+
+void CubeMap::bind(int unit) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_CUBE_MAP, name());
+}
+
+void CubeMap::make_mipmaps() const {
+  glBindTexture(GL_TEXTURE_CUBE_MAP, name());
+  glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+}
+
+}  // namespace terrella::gl

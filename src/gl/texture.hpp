@@ -1,0 +1,50 @@
+// Textures that passes draw into and read from.
+#pragma once
+
+#include "gl/handle.hpp"
+#include "gl/ledger.hpp"
+
+namespace terrella::gl {
+
+// What a texel holds.
+enum class Format { rgba8, rgba16f, rgba32f, r16f };
+
+int bytes_of(Format format);
+
+// A picture that can be drawn into, with linear filtering and clamped edges. width, height >= 1.
+class Image {
+ public:
+  Image(int width, int height, Format format);
+
+  void bind(int unit) const;
+  [[nodiscard]] GLuint name() const { return texture_.name(); }
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] Format format() const { return format_; }
+
+ private:
+  TextureHandle texture_;
+  int width_, height_;
+  Format format_;
+  Holding memory_;
+  CountedTexture counted_;
+};
+
+// Six square faces around the planet, with mipmaps. side: texels, a power of two or any other number >= 1.
+class CubeMap {
+ public:
+  CubeMap(int side, Format format);
+
+  void bind(int unit) const;
+  void make_mipmaps() const;
+  [[nodiscard]] GLuint name() const { return texture_.name(); }
+  [[nodiscard]] int side() const { return side_; }
+
+ private:
+  TextureHandle texture_;
+  int side_;
+  Holding memory_;
+  CountedTexture counted_;
+};
+
+}  // namespace terrella::gl

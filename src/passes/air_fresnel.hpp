@@ -1,0 +1,22 @@
+// The air before the sky (Sandahl 2022, section 2.4); surfaces take the air before them into account themselves.
+#pragma once
+
+#include "gl/mesh.hpp"
+#include "gl/program.hpp"
+
+namespace terrella {
+
+class AirFresnel {
+ public:
+  bool ready() { return program_.ready(); }
+  void draw() {
+    program_.use();
+    triangle_.draw();
+  }
+
+ private:
+  gl::Program program_{"air/fresnel"};
+  gl::FullScreen triangle_;
+};
+
+}  // namespace terrella

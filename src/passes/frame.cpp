@@ -1,0 +1,59 @@
+#include "passes/frame.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "planet/icosphere.hpp"
+#include "planet/terrain.hpp"
+#include "scene/color.hpp"
+
+namespace terrella {
+namespace {
+
+glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dvec4(v, w)); }
+
+// An angle (rad) that grows with time without end, reduced to one turn before it is rounded.
+double turned(double speed, double seconds) {
+  return std::remainder(speed * seconds, 2.0 * std::numbers::pi);
+}
+
+}  // namespace
+
+FrameBlock frame_block(const Frame& frame, double ground_texel_angle, double cloud_blend) {
+  const auto& [scene, view, pose, needs, sea, channel, effort] = frame;
+  const double aspect = static_cast<double>(view.width) / view.height;
+  const glm::vec3 high(pose.eye);
+  const double radius = scene.planet.radius;
+  const double drift = turned(glm::radians(scene.clouds.drift), view.seconds);
+  const double level = scene.water.level / radius;
+
+  FrameBlock block;
+  block.clip_from_eye = clip_from_eye(pose, view);
+  block.eye_high = glm::vec4(high, static_cast<float>(glm::length(pose.eye) - 1.0));
+  block.eye_low = vector(pose.eye - glm::dvec3(high));
+  const glm::dvec2 shift = 2.0 * view.shift / glm::dvec2(view.width, -view.height);
+  const glm::dvec3 right = aspect * pose.tan_half_fov * pose.right, up = pose.tan_half_fov * pose.up;
+  block.ray_forward = vector(pose.forward - shift.x * right - shift.y * up, pose.pixel_angle);
+  block.ray_right = vector(right);
+  block.ray_up = vector(up);
+  block.sun_direction = vector(direction_of(scene.sun.latitude, scene.sun.longitude), std::exp2(scene.picture.exposure));
+  const Color sun = scene.sun.color;
+  const glm::dvec3 sun_color(linear_light(sun.r), linear_light(sun.g), linear_light(sun.b));
+  block.sun_light = vector(sun_color * scene.sun.intensity);
+  block.ground_map_scale = glm::vec4(ground_texel_angle, needs.pixel_octaves_first, needs.pixel_octaves_end,
+                                     needs.water == Water::none ? 0.0 : 1.0);
+  block.cloud_turn =
+      glm::vec4(std::cos(drift), std::sin(drift), cloud_blend, needs.clouds == Clouds::none ? 0.0 : 1.0);
+  const double shoal = 2.5 * sea.highest + 1e-6;
+  block.sea = glm::vec4(1.0 + level, sea.highest, static_cast<double>(sea.waves.size()), shoal);
+  block.ripple = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripples ? scene.water.ripples : 0.0,
+                           needs.air == Air::none ? 0.0 : 1.0, icosphere_edge(needs.water_level));
+  block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
+  return block;
+}
+
+}  // namespace terrella

@@ -1,0 +1,50 @@
+// All that the passes are told about a frame.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "planet/needs.hpp"
+#include "planet/pose.hpp"
+#include "planet/waves.hpp"
+#include "scene/scene.hpp"
+
+namespace terrella {
+
+// What a picture shows; all but color are measurements, drawn without blending.
+enum class Channel : int { color = 0, distance = 1, normal = 2, height = 3 };
+
+// How much a frame may leave for later ones.
+enum class Effort {
+  hurried,   // a parameter is being dragged: coarse, and nothing finer is begun
+  live,      // coarse until finer maps, made over several frames, are ready
+  complete,  // everything is made at once, however long it takes
+};
+
+// As in shaders/frame_block.glsl, std140.
+struct FrameBlock {
+  glm::mat4 clip_from_eye;
+  glm::vec4 eye_high, eye_low;
+  glm::vec4 ray_forward, ray_right, ray_up;
+  glm::vec4 sun_direction, sun_light;
+  glm::vec4 ground_map_scale;
+  glm::vec4 cloud_turn;
+  glm::vec4 sea;
+  glm::vec4 ripple;
+  glm::ivec4 channel;
+};
+
+struct Frame {
+  const Scene& scene;
+  const View& view;
+  const Pose& pose;
+  const Needs& needs;
+  const Sea& sea;
+  Channel channel = Channel::color;
+  Effort effort = Effort::complete;
+};
+
+// cloud_blend: of the two maps that the clouds hold, 0..1.
+FrameBlock frame_block(const Frame& frame, double ground_texel_angle, double cloud_blend);
+
+}  // namespace terrella

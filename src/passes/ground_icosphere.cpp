@@ -1,0 +1,102 @@
+#include "passes/ground_icosphere.hpp"
+
+#include <algorithm>
+
+#include "passes/layers.hpp"
+#include "planet/terrain.hpp"
+
+namespace terrella {
+namespace {
+
+// Noise evaluated in one frame towards the fine map and mesh, so that the picture goes on moving meanwhile.
+constexpr std::int64_t map_noise_a_frame = 1'600'000;
+constexpr std::int64_t mesh_noise_a_frame = 120'000;
+
+}  // namespace
+
+GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
+
+bool GroundIcosphere::ready() { return bake_program_.ready() && draw_program_.ready(); }
+
+void GroundIcosphere::update(const Frame& frame) {
+  noise_evaluations_ = 0;
+  const Scene& scene = frame.scene;
+  const Key key = {scene.planet, scene.terrain, scene.water.level, frame.needs.ground_level, frame.needs.ground_texels};
+  const bool changed = !key_ || *key_ != key;
+  if (changed) {
+    key_ = key;
+    coarse_done_ = fine_done_ = false;
+    fine_positions_.clear();
+    fine_bake_.restart();
+  }
+  if (frame.effort == Effort::complete) {
+    while (!fine_done_) advance_fine(frame);
+  } else if (changed) {
+    make_coarse(frame);
+  } else if (!fine_done_ && frame.effort == Effort::live) {
+    advance_fine(frame);
+  }
+}
+
+void GroundIcosphere::make_coarse(const Frame& frame) {
+  if (!coarse_map_) coarse_map_ = std::make_unique<gl::CubeMap>(coarse_ground_texels, gl::Format::rgba16f);
+  coarse_bake_.restart();
+  bake(frame, coarse_bake_, *coarse_map_, CubeBake::rows(*coarse_map_));
+  const Icosphere& sphere = spheres_.geometry(coarse_level);
+  std::vector<glm::vec3> positions;
+  displace(frame, sphere, coarse_level, sphere.directions.size(), positions);
+  coarse_mesh_ = std::make_unique<gl::Mesh>(positions, sphere.indices);
+  coarse_done_ = true;
+}
+
+void GroundIcosphere::advance_fine(const Frame& frame) {
+  const bool at_once = frame.effort == Effort::complete;
+  const int octaves = std::max(1, key_->terrain.octaves);
+  const Icosphere& sphere = spheres_.geometry(key_->level);
+  if (!fine_map_ || fine_map_->side() != key_->texels) {
+    fine_map_ = std::make_unique<gl::CubeMap>(key_->texels, gl::Format::rgba16f);
+  }
+  if (!fine_bake_.done(*fine_map_)) {
+    const auto rows = static_cast<int>(map_noise_a_frame / (std::int64_t{key_->texels} * octaves));
+    bake(frame, fine_bake_, *fine_map_, at_once ? CubeBake::rows(*fine_map_) : rows);
+  }
+  if (fine_positions_.size() < sphere.directions.size()) {
+    const auto share = static_cast<std::size_t>(mesh_noise_a_frame / octaves);
+    const std::size_t end = at_once ? sphere.directions.size() : fine_positions_.size() + share;
+    displace(frame, sphere, key_->level, std::min(end, sphere.directions.size()), fine_positions_);
+  }
+  if (fine_bake_.done(*fine_map_) && fine_positions_.size() == sphere.directions.size()) {
+    fine_mesh_ = std::make_unique<gl::Mesh>(fine_positions_, sphere.indices);
+    fine_done_ = true;
+  }
+}
+
+void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, int rows) {
+  bake_program_.use();
+  bake_program_.set("texel_angle", static_cast<float>(texel_angle(map.side())));
+  noise_evaluations_ += bake.advance(bake_program_, map, rows) * frame.scene.terrain.octaves;
+}
+
+void GroundIcosphere::displace(const Frame& frame, const Icosphere& sphere, int level, std::size_t end,
+                               std::vector<glm::vec3>& positions) {
+  const f32::Terrain terrain = terrain_of(frame.scene);
+  const double edge = icosphere_edge(level);
+  noise_evaluations_ += static_cast<std::int64_t>(end - positions.size()) * terrain.octaves;
+  while (positions.size() < end) {
+    const glm::dvec3& direction = sphere.directions[positions.size()];
+    positions.emplace_back(direction * ground_radius(terrain, direction, edge));
+  }
+}
+
+void GroundIcosphere::bind_map() const { (fine_done_ ? fine_map_ : coarse_map_)->bind(gl::unit_ground); }
+
+double GroundIcosphere::map_texel_angle() const { return texel_angle((fine_done_ ? fine_map_ : coarse_map_)->side()); }
+
+void GroundIcosphere::draw(const Frame& frame) {
+  const LayerBlock block = layer_block(frame.scene, frame.pose);
+  layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
+  draw_program_.use();
+  (fine_done_ ? fine_mesh_ : coarse_mesh_)->draw();
+}
+
+}  // namespace terrella

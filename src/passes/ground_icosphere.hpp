@@ -1,0 +1,68 @@
+// The ground as a displaced icosphere (Sandahl 2022, section 2.1). Heights are computed when a parameter changes: at once
+// for a coarse mesh and map, over the following frames for the fine ones.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gl/uniform_buffer.hpp"
+#include "passes/cube_bake.hpp"
+#include "passes/frame.hpp"
+#include "passes/sphere_meshes.hpp"
+
+namespace terrella {
+
+class GroundIcosphere {
+ public:
+  explicit GroundIcosphere(SphereMeshes& spheres);
+
+  bool ready();
+
+  // Brings mesh and map up to date, as far as the frame's effort allows. Needs the scene's uniform block.
+  void update(const Frame& frame);
+
+  // Makes the map readable by all passes.
+  void bind_map() const;
+  // Distance of the texels of the map in use, rad.
+  [[nodiscard]] double map_texel_angle() const;
+
+  void draw(const Frame& frame);
+
+  // Whether nothing finer is still to come.
+  [[nodiscard]] bool settled() const { return fine_done_; }
+  // Noise evaluated by the last update.
+  [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
+
+ private:
+  // What the heights depend on.
+  struct Key {
+    decltype(Scene::planet) planet;
+    decltype(Scene::terrain) terrain;
+    double water_level;
+    int level, texels;
+    bool operator==(const Key&) const = default;
+  };
+
+  void make_coarse(const Frame& frame);
+  void advance_fine(const Frame& frame);
+  void bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, int rows);
+  // Computes the vertices from the number made so far up to an end.
+  void displace(const Frame& frame, const Icosphere& sphere, int level, std::size_t end,
+                std::vector<glm::vec3>& positions);
+
+  SphereMeshes& spheres_;
+  gl::Program bake_program_{"ground/bake", "picture/cube_face"};
+  gl::Program draw_program_{"ground/icosphere"};
+  gl::UniformBuffer layers_;
+  std::optional<Key> key_;
+  std::unique_ptr<gl::Mesh> coarse_mesh_, fine_mesh_;
+  std::unique_ptr<gl::CubeMap> coarse_map_, fine_map_;
+  CubeBake coarse_bake_, fine_bake_;
+  std::vector<glm::vec3> fine_positions_;
+  bool coarse_done_ = false;
+  bool fine_done_ = false;
+  std::int64_t noise_evaluations_ = 0;
+};
+
+}  // namespace terrella

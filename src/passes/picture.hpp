@@ -1,0 +1,29 @@
+// From light to the screen: tone, sRGB, smooth edges.
+#pragma once
+
+#include <memory>
+
+#include "gl/mesh.hpp"
+#include "gl/program.hpp"
+#include "gl/target.hpp"
+
+namespace terrella {
+
+class PicturePass {
+ public:
+  bool ready() { return tone_.ready() && antialias_.ready(); }
+
+  // Makes the finished picture from light, at the light's size.
+  void develop(const gl::Image& light);
+
+  // Draws the finished picture over the whole of the current framebuffer, scaled to it. Needs develop once.
+  void show(bool antialias);
+
+ private:
+  gl::Program tone_{"picture/tone", "picture/screen"};
+  gl::Program antialias_{"picture/antialias", "picture/screen"};
+  gl::FullScreen triangle_;
+  std::unique_ptr<gl::Target> developed_;
+};
+
+}  // namespace terrella

@@ -1,0 +1,188 @@
+#include "planet/needs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "formulas/formulas.hpp"
+#include "planet/icosphere.hpp"
+#include "planet/terrain.hpp"
+#include "planet/waves.hpp"
+
+namespace terrella {
+namespace {
+
+// Places in the choice lists of params.inc.
+enum : int { model_none = 0, water_calm = 2, water_waves = 3 };
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+class Decisions {
+ public:
+  explicit Decisions(std::vector<Decision>& list) : list_(list) {}
+
+  void add(const char* what, std::string_view chosen, std::string why) {
+    list_.push_back({what, std::string(chosen), std::move(why)});
+  }
+  void add(const char* what, double chosen, std::string why) { add(what, number(chosen), std::move(why)); }
+
+ private:
+  std::vector<Decision>& list_;
+};
+
+// Layers of noise below which nothing is seen: those whose cells are under two pixels.
+int visible_octaves(double frequency, double lacunarity, int octaves, double footprint) {
+  int count = 0;
+  for (double f = frequency; count < octaves && f * footprint < 0.5; f *= lacunarity) ++count;
+  return count;
+}
+
+void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
+  const auto& terrain = scene.terrain;
+  if (terrain.model == model_none) return decide.add("ground", name_of(needs.ground), "terrain.model asks for none");
+  needs.ground = Ground::icosphere;
+  decide.add("ground", name_of(needs.ground), "the only model of a ground in this version");
+
+  needs.ground_level = ground_level(scene);
+  decide.add("ground.level", needs.ground_level,
+             "the coarsest mesh within quality.pixel_error, and no finer than level 6 unless that is below 0.2 px");
+  needs.ground_texels = scene.quality.ground_texels;
+  decide.add("ground.texels", needs.ground_texels, "quality.ground_texels");
+
+  const double texel = texel_angle(needs.ground_texels);
+  const double pixel = pose.clearance * pose.pixel_angle;
+  int shown = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, pixel);
+  int first = 0;
+  for (double f = terrain.frequency; first < terrain.octaves && f * texel < 0.25; f *= terrain.lacunarity) ++first;
+  const bool near_enough = pixel < 0.6 * texel && terrain.height > 0.0;
+  needs.pixel_octaves_first = first;
+  needs.pixel_octaves_end = near_enough ? std::max(first, shown) : first;
+  decide.add("ground.pixel_octaves", needs.pixel_octaves_end - first,
+             near_enough ? "so near, pixels show layers that the map of the ground can't hold"
+                         : "the map of the ground is as fine as the pixels");
+}
+
+void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pose, Decisions& decide) {
+  const auto& water = scene.water;
+  if (!has_water(scene)) {
+    return decide.add("water", name_of(needs.water),
+                      water.model == model_none ? "water.model asks for none" : "water.level is 0");
+  }
+  const Sea sea = make_sea(scene, 0.0);
+  const double shown = sea.highest / std::max(pose.pixel_angle * pose.clearance, 1e-12);
+  if (water.model == water_calm) {
+    needs.water = Water::calm;
+    decide.add("water", name_of(needs.water), "water.model asks for it");
+  } else if (sea.waves.empty()) {
+    needs.water = Water::calm;
+    decide.add("water", name_of(needs.water), "no waves are asked for");
+  } else if (shown < 0.5 && water.model != water_waves) {
+    needs.water = Water::calm;
+    decide.add("water", name_of(needs.water), "the highest wave is under half a pixel");
+  } else {
+    needs.water = Water::waves;
+    decide.add("water", name_of(needs.water), "waves are asked for and can be seen");
+    decide.add("waves.steepness", sea.steepness,
+               sea.held ? "held where the surface would fold over" : "as asked; the surface does not fold");
+  }
+  needs.water_level = needs.water == Water::waves ? 6 : 5;
+  decide.add("water.level", needs.water_level,
+             needs.water == Water::waves ? "fine enough to carry waves" : "a still sea is a sphere: a coarser mesh does");
+
+  const double cell = 1.0 / water.ripple_frequency;
+  const bool seen = cell > 2.0 * pose.pixel_angle * pose.clearance;
+  needs.ripples = water.ripples > 0.0 && seen;
+  decide.add("water.ripples", needs.ripples ? "yes" : "no",
+             water.ripples <= 0.0 ? "water.ripples is 0"
+             : seen               ? "a ripple is larger than two pixels"
+                                  : "a ripple is under two pixels: it only widens the glitter");
+}
+
+void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
+  const auto& clouds = scene.clouds;
+  const bool seen = clouds.model != model_none && clouds.coverage > 0.0 && clouds.density > 0.0 && clouds.octaves > 0;
+  if (!seen) {
+    return decide.add("clouds", name_of(needs.clouds),
+                      clouds.model == model_none ? "clouds.model asks for none"
+                                                 : "coverage, density or octaves is 0: there is nothing to see");
+  }
+  needs.clouds = Clouds::shell;
+  decide.add("clouds", name_of(needs.clouds), "the only model of clouds in this version");
+  needs.cloud_texels = scene.quality.cloud_texels;
+  const double footprint = std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance);
+  needs.cloud_octaves = std::max(1, visible_octaves(clouds.frequency, 2.0, clouds.octaves, footprint));
+  decide.add("clouds.octaves", needs.cloud_octaves,
+             needs.cloud_octaves == clouds.octaves ? "as asked" : "finer ones are under two texels of their map");
+  // Between two pictures the gradients of the finest layer turn by a radian: blending them loses little (cos 1/2).
+  const double fastest = clouds.speed * std::ldexp(1.0, needs.cloud_octaves - 1);
+  needs.cloud_interval = fastest > 0.0 ? 1.0 / fastest : 0.0;
+  decide.add("clouds.interval", needs.cloud_interval,
+             fastest > 0.0 ? "seconds in which the finest layer turns by a radian" : "clouds.speed is 0");
+}
+
+void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
+  const bool air = scene.air.model != model_none && scene.air.density > 0.0 && scene.air.height > 0.0;
+  needs.air = air ? Air::fresnel : Air::none;
+  decide.add("air", name_of(needs.air),
+             air                              ? "the only model of air in this version"
+             : scene.air.model == model_none ? "air.model asks for none"
+                                              : "density or height is 0: there is nothing to see");
+  const bool stars = scene.stars.model != model_none && scene.stars.density > 0.0 && scene.stars.brightness > 0.0;
+  needs.stars = stars ? Stars::noise : Stars::none;
+  decide.add("stars", name_of(needs.stars),
+             stars                             ? "found once and drawn as points"
+             : scene.stars.model == model_none ? "stars.model asks for none"
+                                               : "density or brightness is 0: there is nothing to see");
+}
+
+bool anything_moves(const Needs& needs, const Scene& scene) {
+  if (scene.time.speed == 0.0) return false;
+  const bool clouds = needs.clouds != Clouds::none && (scene.clouds.drift != 0.0 || needs.cloud_interval > 0.0);
+  const bool waves = needs.water == Water::waves && scene.waves.speed > 0.0;
+  const bool ripples = needs.ripples && scene.water.ripple_speed > 0.0;
+  return clouds || waves || ripples;
+}
+
+}  // namespace
+
+std::string_view name_of(Ground technique) { return technique == Ground::none ? "none" : "icosphere"; }
+std::string_view name_of(Water technique) {
+  return technique == Water::none ? "none" : technique == Water::calm ? "calm" : "waves";
+}
+std::string_view name_of(Clouds technique) { return technique == Clouds::none ? "none" : "shell"; }
+std::string_view name_of(Air technique) { return technique == Air::none ? "none" : "fresnel"; }
+std::string_view name_of(Stars technique) { return technique == Stars::none ? "none" : "noise"; }
+
+double texel_angle(int texels) { return 2.0 / texels; }
+
+int ground_level(const Scene& scene) {
+  // From where the whole planet is seen; nearer, what the mesh can't carry comes from normals.
+  const double altitude = std::max(scene.camera.altitude / scene.planet.radius, 0.5);
+  const double pixel = altitude * 2.0 * std::tan(scene.camera.fov * 0.00872664626) / 720.0;
+  const double allowed = scene.quality.pixel_error * pixel;
+  const double height = scene.terrain.height / scene.planet.radius;
+  const int finest = scene.quality.pixel_error < 0.2 ? 7 : 6;
+  for (int level = 3; level < finest; ++level) {
+    const double edge = icosphere_edge(level);
+    const double missing = scene.terrain.octaves > 0 ? height * edge * scene.terrain.frequency : 0.0;
+    if (edge * edge / 8.0 + missing < allowed) return level;
+  }
+  return finest;
+}
+
+Needs needs_of(const Scene& scene, const View& view, const Pose& pose) {
+  Needs needs;
+  Decisions decide(needs.decisions);
+  decide_ground(needs, scene, pose, decide);
+  decide_water(needs, scene, view, pose, decide);
+  decide_clouds(needs, scene, pose, decide);
+  decide_rest(needs, scene, decide);
+  needs.moving = anything_moves(needs, scene);
+  return needs;
+}
+
+}  // namespace terrella

@@ -1,0 +1,64 @@
+// What a scene and a view require, and why: the only place that decides what is modelled and how finely.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planet/pose.hpp"
+#include "scene/scene.hpp"
+
+namespace terrella {
+
+enum class Ground { none, icosphere };
+enum class Water { none, calm, waves };
+enum class Clouds { none, shell };
+enum class Air { none, fresnel };
+enum class Stars { none, noise };
+
+std::string_view name_of(Ground technique);
+std::string_view name_of(Water technique);
+std::string_view name_of(Clouds technique);
+std::string_view name_of(Air technique);
+std::string_view name_of(Stars technique);
+
+struct Decision {
+  std::string what;    // "clouds.octaves"
+  std::string chosen;  // "4"
+  std::string why;     // a sentence
+};
+
+struct Needs {
+  Ground ground = Ground::none;
+  Water water = Water::none;
+  Clouds clouds = Clouds::none;
+  Air air = Air::none;
+  Stars stars = Stars::none;
+
+  int ground_level = 0;         // icosphere level of the finished ground
+  int ground_texels = 0;        // side of a face of its map
+  int pixel_octaves_first = 0;  // octaves of the ground computed at every pixel, because the map can't show them:
+  int pixel_octaves_end = 0;    // [first, end); equal: none
+  int water_level = 0;          // icosphere level of the sea
+  bool ripples = false;         // small waves as flow noise at every pixel of a calm sea
+  int cloud_octaves = 0;
+  int cloud_texels = 0;
+  double cloud_interval = 0.0;  // s between two pictures of the clouds, blended in between; 0: they do not change
+  bool moving = false;          // something changes with time
+
+  std::vector<Decision> decisions;
+};
+
+// The ground while a parameter is dragged: this icosphere level and this map, whatever the scene.
+inline constexpr int coarse_level = 5;
+inline constexpr int coarse_ground_texels = 96;
+inline constexpr int coarse_cloud_texels = 96;
+
+// Distance of neighbouring texels in the middle of a cube map's face, rad.
+double texel_angle(int texels);
+
+// The icosphere level that the ground settles on.
+int ground_level(const Scene& scene);
+
+Needs needs_of(const Scene& scene, const View& view, const Pose& pose);
+
+}  // namespace terrella

@@ -1,0 +1,106 @@
+#include "planet/pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "planet/needs.hpp"
+#include "planet/terrain.hpp"
+#include "planet/waves.hpp"
+
+namespace terrella {
+namespace {
+
+// The highest that anything of the planet rises, radii.
+double top_radius(const Scene& scene) {
+  double top = 1.0;
+  const double radius = scene.planet.radius;
+  if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / radius);
+  if (has_water(scene)) top = std::max(top, 1.0 + scene.water.level / radius + make_sea(scene, 0.0).highest);
+  if (scene.clouds.model != 0) top = std::max(top, 1.0 + scene.clouds.height / radius);
+  return top;
+}
+
+void set_depth_range(Pose& pose, double top) {
+  const double distance = glm::length(pose.eye);
+  const double to_horizon = std::sqrt(std::max(0.0, (distance - 1.0) * (distance + 1.0)));
+  pose.far = 1.001 * (to_horizon + std::sqrt(std::max(0.0, (top - 1.0) * (top + 1.0)))) + 2.0 * pose.clearance;
+  // Half of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
+  pose.near = std::max(0.3 * pose.clearance, 0.9 * (distance - top));
+  pose.near = std::min(pose.near, 0.5 * pose.far);
+}
+
+}  // namespace
+
+glm::dvec3 direction_of(double latitude, double longitude) {
+  const double lat = glm::radians(latitude), lon = glm::radians(longitude);
+  return {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
+}
+
+double surface_radius(const Scene& scene, const glm::dvec3& direction) {
+  double surface = 1.0;
+  if (has_ground(scene)) {
+    const f32::Terrain terrain = terrain_of(scene);
+    surface = std::max({ground_radius(terrain, direction, 1e-7), drawn_ground_radius(terrain, direction, coarse_level),
+                        drawn_ground_radius(terrain, direction, ground_level(scene))});
+  }
+  if (has_water(scene)) {
+    surface = std::max(surface, 1.0 + scene.water.level / scene.planet.radius + make_sea(scene, 0.0).highest);
+  }
+  return surface;
+}
+
+Pose pose_of(const Scene& scene, const View& view) {
+  const auto& camera = scene.camera;
+  const glm::dvec3 down_from = direction_of(camera.latitude, camera.longitude);
+  const double surface = surface_radius(scene, down_from);
+  const double asked = 1.0 + camera.altitude / scene.planet.radius;
+  const double distance = std::max(asked, surface + least_clearance);
+
+  Pose pose;
+  pose.raised = asked < distance;
+  pose.eye = distance * down_from;
+  pose.clearance = distance - surface;
+
+  // East and north from the longitude itself: they are defined at the poles, too.
+  const double lon = glm::radians(camera.longitude);
+  const glm::dvec3 east(-std::sin(lon), std::cos(lon), 0.0);
+  const glm::dvec3 north = glm::cross(down_from, east);
+  const double heading = glm::radians(camera.heading), pitch = glm::radians(camera.pitch);
+  const glm::dvec3 ahead = std::cos(heading) * north + std::sin(heading) * east;
+  pose.forward = std::cos(pitch) * ahead + std::sin(pitch) * down_from;
+  pose.right = std::cos(heading) * east - std::sin(heading) * north;
+  pose.up = glm::cross(pose.right, pose.forward);
+  pose.tan_half_fov = std::tan(0.5 * glm::radians(camera.fov));
+  pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
+  set_depth_range(pose, top_radius(scene));
+  return pose;
+}
+
+glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pixel) {
+  const double x = (2.0 * (pixel.x - view.shift.x) - view.width) / view.height;
+  const double y = 1.0 - 2.0 * (pixel.y - view.shift.y) / view.height;
+  return glm::normalize(pose.forward + pose.tan_half_fov * (x * pose.right + y * pose.up));
+}
+
+glm::mat4 clip_from_eye(const Pose& pose, const View& view) {
+  const double fy = 1.0 / pose.tan_half_fov;
+  const double fx = fy * view.height / view.width;
+  const double depth = pose.far - pose.near;
+  const double a = (pose.far + pose.near) / depth;
+  const double b = -2.0 * pose.far * pose.near / depth;
+  const double shift_x = 2.0 * view.shift.x / view.width, shift_y = -2.0 * view.shift.y / view.height;
+  glm::mat4 m(0.0F);
+  for (int i = 0; i < 3; ++i) {
+    m[i][0] = static_cast<float>(fx * pose.right[i] + shift_x * pose.forward[i]);
+    m[i][1] = static_cast<float>(fy * pose.up[i] + shift_y * pose.forward[i]);
+    m[i][2] = static_cast<float>(a * pose.forward[i]);
+    m[i][3] = static_cast<float>(pose.forward[i]);
+  }
+  m[3][2] = static_cast<float>(b);
+  return m;
+}
+
+}  // namespace terrella

@@ -1,0 +1,49 @@
+// Where a picture is taken from, worked out in double precision. Lengths in planet radii; the planet's centre is the
+// origin, its axis is z, latitude and longitude 0 lie on x.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/scene.hpp"
+
+namespace terrella {
+
+// What a picture depends on beside the scene.
+struct View {
+  int width = 1280;   // pixels, >= 1
+  int height = 720;   // pixels, >= 1
+  double seconds = 0.0;  // since the scene began
+  glm::dvec2 shift{0.0};  // of the whole picture, in pixels: for several samples a pixel
+};
+
+struct Pose {
+  glm::dvec3 eye;
+  glm::dvec3 forward, right, up;  // unit
+  double tan_half_fov;            // of the vertical field of view
+  double pixel_angle;             // rad, in the middle of the picture
+  double clearance;               // height of the eye over the highest of ground and sea below it
+  double near, far;               // distances between which everything lies
+  bool raised;                    // the asked place was under the ground or the sea
+};
+
+// The camera comes no nearer to the ground, radii: walking height on a miniature planet.
+inline constexpr double least_clearance = 1e-4;
+
+// Unit vector to a place on the planet. Degrees.
+glm::dvec3 direction_of(double latitude, double longitude);
+
+// Radius of the highest of ground and sea at a direction, as seen and as computed in full.
+double surface_radius(const Scene& scene, const glm::dvec3& direction);
+
+// Total: any scene that passes validation gives a finite pose.
+Pose pose_of(const Scene& scene, const View& view);
+
+// The unit direction that a pixel (from the top left, may be fractional) looks along.
+glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pixel);
+
+// From positions relative to the eye to clip space.
+glm::mat4 clip_from_eye(const Pose& pose, const View& view);
+
+}  // namespace terrella

@@ -1,0 +1,44 @@
+#include "planet/terrain.hpp"
+
+#include <glm/geometric.hpp>
+
+#include "planet/icosphere.hpp"
+
+namespace terrella {
+
+f32::Terrain terrain_of(const Scene& scene) {
+  const auto& from = scene.terrain;
+  f32::Terrain terrain;
+  terrain.height = static_cast<float>(from.height / scene.planet.radius);
+  terrain.frequency = static_cast<float>(from.frequency);
+  terrain.octaves = from.octaves;
+  terrain.persistence = static_cast<float>(from.persistence);
+  terrain.lacunarity = static_cast<float>(from.lacunarity);
+  terrain.power = static_cast<float>(from.power);
+  terrain.ridged = from.ridged;
+  terrain.sharpness = static_cast<float>(from.ridge_sharpness);
+  terrain.seed = static_cast<unsigned>(scene.planet.seed);
+  return terrain;
+}
+
+double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, double edge) {
+  return 1.0 + double{f32::terrain_height_at(glm::vec3(direction), terrain, static_cast<float>(edge)).value};
+}
+
+double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, int level) {
+  const IcospherePlace place = locate_on_icosphere(direction, level);
+  const double edge = icosphere_edge(level);
+  glm::dvec3 point(0.0);
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3& corner = place.corners[static_cast<std::size_t>(i)];
+    point += place.weights[i] * ground_radius(terrain, corner, edge) * corner;
+  }
+  // The weights belong to the triangle of unit corners; the displaced one is close enough for a length.
+  return glm::length(point);
+}
+
+bool has_ground(const Scene& scene) { return scene.terrain.model != 0; }
+
+bool has_water(const Scene& scene) { return scene.water.model != 0 && scene.water.level > 0.0; }
+
+}  // namespace terrella

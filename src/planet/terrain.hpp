@@ -1,0 +1,26 @@
+// The ground of a scene on the CPU: the same formulas as on the GPU. Lengths in planet radii.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "formulas/formulas.hpp"
+#include "scene/scene.hpp"
+
+namespace terrella {
+
+// The parameters of the height function, in planet radii.
+f32::Terrain terrain_of(const Scene& scene);
+
+// Radii of the ground at each direction (unit), as a mesh with the given length of edges (rad) can carry it.
+double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, double edge);
+
+// Radius of the flat triangle that a mesh of the given icosphere level shows at a direction.
+double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, int level);
+
+// Terrain is drawn only where the scene asks for it.
+bool has_ground(const Scene& scene);
+bool has_water(const Scene& scene);
+
+}  // namespace terrella

@@ -1,0 +1,193 @@
+#include "render/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "gl/caps.hpp"
+#include "scene/uniforms.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr float far_down = -1000.0F;  // planet radii: no bottom is seen through so much water
+
+void fill(const gl::CubeMap& map, const float (&value)[4]) {
+  const gl::CubeTarget target;
+  for (int face = 0; face < 6; ++face) {
+    target.begin(map, face, 0, map.side());
+    glClearBufferfv(GL_COLOR, 0, value);
+  }
+  gl::CubeTarget::end();
+}
+
+// Pixels that the planet can cover at the most.
+double planet_pixels(const View& view, const Pose& pose) {
+  const double all = static_cast<double>(view.width) * view.height;
+  const double distance = glm::length(pose.eye);
+  if (distance <= 1.0) return all;
+  const double radius = std::tan(std::asin(std::min(1.0, 1.0 / distance))) / pose.pixel_angle;
+  return std::isfinite(radius) ? std::min(all, std::numbers::pi * radius * radius) : all;
+}
+
+void draw_opaque() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+}
+
+// What is behind shines through by 1 - alpha; colours come weighted.
+void draw_veils() {
+  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_LEQUAL);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void draw_flat() {
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace
+
+Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::Format::r16f) {
+  fill(no_ground_, {0.0F, 0.0F, 0.0F, far_down});
+  fill(no_clouds_, {-1.0F, 0.0F, 0.0F, 0.0F});
+}
+
+double Renderer::prepare(const Scene& scene, const View& view) {
+  pose_ = pose_of(scene, view);
+  needs_ = needs_of(scene, view, pose_);
+  choose_techniques();
+  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(), air_.ready(), stars_.ready(), clouds_.ready()};
+  return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
+}
+
+void Renderer::choose_techniques() {
+  ground_.choose(needs_.ground, spheres_);
+  water_.choose(needs_.water, needs_.water, spheres_);
+  clouds_.choose(needs_.clouds, spheres_);
+  air_.choose(needs_.air);
+  stars_.choose(needs_.stars);
+}
+
+void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
+  pose_ = pose_of(scene, view);
+  needs_ = needs_of(scene, view, pose_);
+  choose_techniques();
+  const Sea sea = make_sea(scene, view.seconds);
+  const Frame frame = {scene, view, pose_, needs_, sea, shot.channel, shot.effort};
+
+  gl::begin_frame();
+  scene_buffer_.set(gl::block_scene, pack_scene(scene));
+  update_slots(frame);
+  set_frame_block(frame);
+  bind_maps();
+  begin_light(view, shot);
+
+  draw_opaque();
+  if (water_) water_->draw(frame);
+  if (ground_) ground_->draw(frame);
+  if (shot.channel == Channel::color) {
+    draw_veils();
+    if (stars_) stars_->draw();
+    if (air_) air_->draw();
+    if (clouds_) clouds_->draw(frame);
+    draw_flat();
+    picture_.develop(light_->image());
+  }
+}
+
+void Renderer::update_slots(const Frame& frame) {
+  noise_evaluations_ = 0;
+  if (ground_) {
+    ground_->update(frame);
+    noise_evaluations_ += ground_->noise_evaluations();
+  }
+  if (clouds_) {
+    clouds_->update(frame);
+    noise_evaluations_ += clouds_->noise_evaluations();
+  }
+  if (stars_) {
+    stars_->update(frame);
+    noise_evaluations_ += stars_->noise_evaluations();
+  }
+  const int per_pixel = needs_.pixel_octaves_end - needs_.pixel_octaves_first +
+                        (needs_.water == Water::calm && needs_.ripples ? 2 : 0);
+  noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
+}
+
+void Renderer::set_frame_block(const Frame& frame) {
+  const double texel = ground_ ? ground_->map_texel_angle() : texel_angle(1);
+  const FrameBlock block = frame_block(frame, texel, clouds_ ? clouds_->blend() : 0.0);
+  frame_buffer_.set(gl::block_frame, std::as_bytes(std::span(&block, 1)));
+}
+
+void Renderer::bind_maps() {
+  if (ground_) {
+    ground_->bind_map();
+  } else {
+    no_ground_.bind(gl::unit_ground);
+  }
+  if (clouds_) {
+    clouds_->bind_maps();
+  } else {
+    no_clouds_.bind(gl::unit_clouds_before);
+    no_clouds_.bind(gl::unit_clouds_after);
+  }
+}
+
+void Renderer::begin_light(const View& view, const Shot& shot) {
+  const gl::Format format = shot.full_float ? gl::Format::rgba32f : gl::Format::rgba16f;
+  if (!light_ || light_->image().width() != view.width || light_->image().height() != view.height ||
+      light_->image().format() != format) {
+    light_.reset();
+    light_ = std::make_unique<gl::Target>(view.width, view.height, format, true);
+  }
+  light_->begin();
+  const float sky = shot.channel == Channel::distance || shot.channel == Channel::height
+                        ? std::numeric_limits<float>::infinity()
+                        : 0.0F;
+  const float clear[] = {sky, sky, sky, 1.0F};
+  const float farthest = 1.0F;
+  glDepthMask(GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, clear);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void Renderer::show(GLuint framebuffer, int width, int height, bool antialias) {
+  gl::begin_screen(framebuffer, width, height);
+  draw_flat();
+  picture_.show(antialias);
+}
+
+bool Renderer::settled() const {
+  return (!ground_ || ground_->settled()) && (!clouds_ || clouds_->settled());
+}
+
+RenderStats Renderer::stats() const {
+  RenderStats stats;
+  stats.triangles = gl::ledger().triangles;
+  stats.draw_calls = gl::ledger().draw_calls;
+  stats.noise_evaluations = noise_evaluations_;
+  stats.gpu_bytes = gl::ledger().bytes;
+  stats.textures = gl::ledger().textures;
+  stats.programs = {"picture/tone", "picture/antialias"};
+  if (ground_) stats.programs.insert(stats.programs.end(), {"ground/bake", "ground/icosphere"});
+  if (water_) stats.programs.push_back("water/" + std::string(name_of(needs_.water)));
+  if (clouds_) stats.programs.insert(stats.programs.end(), {"clouds/bake", "clouds/shell"});
+  if (air_) stats.programs.emplace_back("air/fresnel");
+  if (stars_) stats.programs.emplace_back("stars/noise");
+  return stats;
+}
+
+}  // namespace terrella

@@ -1,0 +1,85 @@
+// Draws a scene. Everything it holds is rebuilt from the scene, so that a lost context costs only time: make a new one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/uniform_buffer.hpp"
+#include "passes/air_fresnel.hpp"
+#include "passes/clouds_shell.hpp"
+#include "passes/frame.hpp"
+#include "passes/ground_icosphere.hpp"
+#include "passes/picture.hpp"
+#include "passes/sea.hpp"
+#include "passes/stars_noise.hpp"
+#include "render/slot.hpp"
+
+namespace terrella {
+
+// What a picture is to be, beside scene and view.
+struct Shot {
+  Channel channel = Channel::color;
+  Effort effort = Effort::complete;
+  bool full_float = false;  // 32 bit floats instead of 16
+};
+
+// Work of the last frame, and what is held.
+struct RenderStats {
+  std::int64_t triangles = 0;
+  int draw_calls = 0;
+  std::int64_t noise_evaluations = 0;  // where pixels compute noise: at the most, by the planet's area in the picture
+  std::int64_t gpu_bytes = 0;
+  int textures = 0;
+  std::vector<std::string> programs;
+};
+
+class Renderer {
+ public:
+  // Needs a current context whose caps() have been read and can draw to floats.
+  Renderer();
+
+  // Chooses the techniques for a scene and begins to compile what is new. 1 when draw will not wait for a shader.
+  double prepare(const Scene& scene, const View& view);
+
+  // Draws into the renderer's own picture of light. view: in pixels drawn.
+  void draw(const Scene& scene, const View& view, const Shot& shot);
+
+  // Shows the last drawn picture (of colour) on a framebuffer of any size.
+  void show(GLuint framebuffer, int width, int height, bool antialias);
+
+  // The picture of light: linear, after exposure, bottom row first, four channels; or a measurement in planet radii.
+  [[nodiscard]] std::vector<float> read_light() const { return light_->read_floats(); }
+
+  // What the last draw, or else prepare, decided.
+  [[nodiscard]] const Needs& needs() const { return needs_; }
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  // Whether the last picture was as fine as the scene asks; else further frames refine it.
+  [[nodiscard]] bool settled() const;
+  [[nodiscard]] RenderStats stats() const;
+
+ private:
+  void choose_techniques();
+  void update_slots(const Frame& frame);
+  void begin_light(const View& view, const Shot& shot);
+  void set_frame_block(const Frame& frame);
+  void bind_maps();
+
+  SphereMeshes spheres_;
+  gl::UniformBuffer scene_buffer_, frame_buffer_;
+  Slot<Ground, GroundIcosphere> ground_;
+  Slot<Water, SeaPass> water_;
+  Slot<Clouds, CloudsShell> clouds_;
+  Slot<Air, AirFresnel> air_;
+  Slot<Stars, StarsNoise> stars_;
+  PicturePass picture_;
+  std::unique_ptr<gl::Target> light_;
+  gl::CubeMap no_ground_;  // all sea
+  gl::CubeMap no_clouds_;
+  Needs needs_;
+  Pose pose_{};
+  std::int64_t noise_evaluations_ = 0;
+};
+
+}  // namespace terrella

@@ -1,0 +1,71 @@
+#include "scene/json.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/text.hpp"
+#include "base/utf8.hpp"
+#include "scene/entries.hpp"
+#include "scene/json_reader.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+// What a preset's file says about itself.
+constexpr std::array<std::string_view, 2> kNotOurs = {"title", "about"};
+
+// "steepness":0.9,"count":8 for what differs in one group.
+std::string differing_members(std::string_view group, const Scene& scene, const Scene& start) {
+  std::string members;
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.group != group) continue;
+    const Value value = parameter.get(scene);
+    if (value == parameter.get(start)) continue;
+    if (!members.empty()) members += ',';
+    members += text_of(json_quoted(parameter.name), ':', json_value(value));
+  }
+  return members;
+}
+
+}  // namespace
+
+std::string json_value(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) CHECK(std::isfinite(*number), *number);
+  const bool bare = std::holds_alternative<double>(value) || std::holds_alternative<int>(value) ||
+                    std::holds_alternative<bool>(value);
+  return bare ? to_text(value) : json_quoted(to_text(value));
+}
+
+std::string to_json(const SceneDocument& document) {
+  const Preset* preset = find_preset(document.preset);
+  CHECK(preset != nullptr, document.preset);
+  std::string json = text_of("{\"terrella\":", kSceneVersion);
+  if (document.preset != kDefaultPreset) json += text_of(",\"preset\":", json_quoted(document.preset));
+  for (const Group& group : groups()) {
+    const std::string members = differing_members(group.name, document.scene, preset->scene);
+    if (!members.empty()) json += text_of(',', json_quoted(group.name), ":{", members, '}');
+  }
+  return json + '}';
+}
+
+Issues load_json(SceneDocument& document, std::string_view text) {
+  Issues issues;
+  if (text.size() > kLongestJson) {
+    issues.add("", text_of("The scene is ", text.size(), " bytes long; at most ", kLongestJson, " are read."));
+    return issues;
+  }
+  std::string repaired;
+  const std::size_t not_utf8 = find_not_utf8(text);
+  if (not_utf8 != std::string_view::npos) {
+    issues.add("", text_of("The scene is not UTF-8 text from byte ", not_utf8 + 1, " on."));
+    text = repaired = repaired_utf8(text);
+  }
+  const JsonReading reading = read_json(text);
+  if (!reading.trouble.empty()) issues.add("", reading.trouble);
+  apply_entries(document, reading.entries, kNotOurs, issues);
+  return issues;
+}
+
+}  // namespace terrella

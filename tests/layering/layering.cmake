@@ -1,0 +1,56 @@
+# cmake -DROOT=FOLDER -P layering.cmake
+# Holds that each room of src includes only rooms that it may, and that only src/gl, native and web know of the browser.
+
+cmake_minimum_required(VERSION 3.25)
+
+# What each room builds upon directly; it may include all that those may, too. The order is from the ground up.
+set(base "")
+set(scene base)
+set(formulas base)
+set(planet scene formulas)
+set(gl base)
+set(passes planet gl)
+set(render passes)
+set(panel scene)
+set(app render panel)
+set(rooms base scene formulas planet gl passes render panel app)
+
+set(faults "")
+foreach(room IN LISTS rooms)
+  set(allowed ${room})
+  foreach(below IN LISTS ${room})
+    list(APPEND allowed ${allowed_in_${below}})
+  endforeach()
+  set(allowed_in_${room} ${allowed})
+
+  file(GLOB_RECURSE files ${ROOT}/src/${room}/*)
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} includes REGEX "^ *# *include *\"")
+    foreach(include IN LISTS includes)
+      string(REGEX REPLACE "^[^\"]*\"([^/\"]*).*" "\\1" included "${include}")
+      if(NOT included IN_LIST allowed)
+        list(APPEND faults "${file}: ${room} may not say ${include}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+file(GLOB entries RELATIVE ${ROOT}/src ${ROOT}/src/*)
+foreach(entry IN LISTS entries)
+  if(IS_DIRECTORY ${ROOT}/src/${entry} AND NOT entry IN_LIST rooms)
+    list(APPEND faults "src/${entry} is not in the list of rooms")
+  endif()
+endforeach()
+
+file(GLOB_RECURSE files ${ROOT}/src/*.?pp ${ROOT}/src/*.inc ${ROOT}/bench/*.cpp)
+foreach(file IN LISTS files)
+  file(STRINGS ${file} lines REGEX "__EMSCRIPTEN__|<emscripten")
+  if(lines AND NOT file MATCHES "/src/gl/[^/]+$")
+    list(APPEND faults "${file}: only src/gl, native and web know of the browser")
+  endif()
+endforeach()
+
+if(faults)
+  list(JOIN faults "\n  " faults)
+  message(FATAL_ERROR "\n  ${faults}")
+endif()
