@@ -166,7 +166,8 @@ std::optional<Issue> assign_text(Scene& scene, std::string_view path, std::strin
 }
 
 Issue no_such_parameter(std::string_view path) {
-  return {shortened(path), text_of("there is no such parameter", did_you_mean(nearest_path(path)))};
+  const std::string shown = path.empty() ? "\"\"" : shortened(path);
+  return {shown, text_of("there is no such parameter", did_you_mean(nearest_path(path)))};
 }
 
 }  // namespace terrella

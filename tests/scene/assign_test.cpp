@@ -13,8 +13,9 @@ namespace {
 std::string sentence(std::string_view path, std::string_view text) {
   Scene scene;
   const auto issue = assign_text(scene, path, text);
-  if (issue) EXPECT_EQ(scene, Scene{}) << path << " was refused and yet changed";
-  return issue ? issue->text() : "";
+  if (!issue) return "";
+  EXPECT_EQ(scene, Scene{}) << path << " was refused and yet changed";
+  return issue->text();
 }
 
 TEST(Assign, SaysWhatIsWrongAndWhatIsAllowed) {
@@ -36,7 +37,7 @@ TEST(Assign, NamesTheNearestParameter) {
   EXPECT_EQ(sentence("wavs.count", "3"), "wavs.count: there is no such parameter; did you mean waves.count?");
   EXPECT_EQ(sentence("steepness", "1"), "steepness: there is no such parameter; did you mean waves.steepness?");
   EXPECT_EQ(sentence("qqqqqqqqqqqq", "1"), "qqqqqqqqqqqq: there is no such parameter.");
-  EXPECT_EQ(sentence("", "1"), ": there is no such parameter.");
+  EXPECT_EQ(sentence("", "1"), "\"\": there is no such parameter.");
 }
 
 TEST(Assign, QuotesNoMoreThanIsReadable) {

@@ -35,7 +35,7 @@ TEST(Presets, AreDifferentWorlds) {
     EXPECT_GE(preset.about.size(), 10u) << preset.name;
     EXPECT_FALSE(preset.about.ends_with('.')) << preset.name;
     for (const Preset& other : presets()) {
-      if (&other != &preset) EXPECT_NE(other.scene, preset.scene) << preset.name << " and " << other.name;
+      EXPECT_EQ(other.scene == preset.scene, &other == &preset) << preset.name << " and " << other.name;
     }
   }
 }

@@ -1,0 +1,369 @@
+#include "app/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+
+#include "app/imgui_input.hpp"
+#include "app/stats.hpp"
+#include "app/still.hpp"
+#include "gl/caps.hpp"
+#include "scene/json.hpp"
+#include "scene/link.hpp"
+#include "scene/parameters.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr std::size_t frames_timed = 60;
+constexpr double wheel_zoom = 1.18;  // a notch
+
+}  // namespace
+
+Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContext()) {
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().LogFilename = nullptr;
+}
+
+Session::~Session() {
+  if (renderer_) ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(imgui_);
+}
+
+void Session::context_made() {
+  renderer_ = std::make_unique<Renderer>();
+  ImGui_ImplOpenGL3_Init(gl::caps().es ? "#version 300 es" : "#version 330 core");
+  planet_stale_ = true;
+  panel_frames_ = 3;
+}
+
+void Session::context_lost() {
+  if (renderer_) ImGui_ImplOpenGL3_Shutdown();
+  renderer_.reset();
+}
+
+void Session::resize(int width, int height, double scale) {
+  if (scale != scale_ || planet_stale_) style_panel(static_cast<float>(scale));
+  width_ = std::max(1, width);
+  height_ = std::max(1, height);
+  scale_ = scale;
+  planet_stale_ = true;
+  panel_frames_ = 3;
+}
+
+View Session::view() const {
+  const double resolution = scale_ * document_.scene.quality.resolution_scale * auto_scale_;
+  View view;
+  view.width = std::clamp(static_cast<int>(width_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
+  view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
+  view.seconds = seconds_;
+  return view;
+}
+
+glm::dvec2 Session::to_pixels(glm::dvec2 points) const {
+  const View v = view();
+  return points * glm::dvec2(v.width, v.height) / glm::dvec2(width_, height_);
+}
+
+// Hands
+
+void Session::pointer_moved(double x, double y) {
+  const glm::dvec2 moved = to_pixels(glm::dvec2(x, y) - pointer_);
+  pointer_ = {x, y};
+  imgui_input::move(x * scale_, y * scale_);
+  panel_frames_ = std::max(panel_frames_, 2);
+  if (drag_ == Drag::turn) camera_.drag(document_.scene, view(), moved);
+  if (drag_ == Drag::look) camera_.look(document_.scene, view(), moved);
+  if (drag_ != Drag::none) {
+    last_drag_time_ = now_;
+    scene_was_changed();
+  }
+}
+
+void Session::pointer_button(Button button, bool down) {
+  // A finger comes without having hovered: the panel must know where it is before it presses.
+  if (down && panel_shown_ && renderer_) run_panel();
+  imgui_input::button(static_cast<int>(button), down);
+  panel_frames_ = 3;
+  if (!down) {
+    if (drag_ == Drag::turn) camera_.release(now_ - last_drag_time_);
+    drag_ = Drag::none;
+    return;
+  }
+  if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) return;
+  camera_.stop();
+  const bool look = button != Button::left || ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
+  drag_ = look ? Drag::look : Drag::turn;
+  last_drag_time_ = now_;
+}
+
+void Session::pointer_left() {
+  imgui_input::leave();
+  panel_frames_ = std::max(panel_frames_, 2);
+}
+
+void Session::wheel(double notches) {
+  panel_frames_ = 3;
+  if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) {
+    imgui_input::wheel(notches);
+  } else {
+    camera_.zoom(std::pow(wheel_zoom, notches), to_pixels(pointer_));
+  }
+}
+
+void Session::pinch(double factor, double dx, double dy, double x, double y) {
+  drag_ = Drag::none;
+  const glm::dvec2 middle = to_pixels({x, y});
+  if (std::isfinite(factor) && factor > 0.0) camera_.zoom_now(document_.scene, view(), std::clamp(factor, 0.2, 5.0), middle);
+  camera_.look(document_.scene, view(), to_pixels({dx, dy}));
+  scene_was_changed();
+}
+
+void Session::key(Key key, bool down, Modifiers modifiers) {
+  imgui_input::key(key, down, modifiers);
+  panel_frames_ = 3;
+  const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
+  if (down && !typing && !modifiers.control) {
+    keys_down_.insert(key);
+    if (key == Key::space) set_paused(!paused_);
+    if (key == Key::h) show_panel(!panel_shown_);
+  } else {
+    keys_down_.erase(key);
+  }
+  update_pushes();
+}
+
+void Session::update_pushes() {
+  const auto held = [&](Key a, Key b) { return keys_down_.count(a) + keys_down_.count(b) > 0 ? 1.0 : 0.0; };
+  CameraControl::Push push;
+  push.right = held(Key::right, Key::d) - held(Key::left, Key::a);
+  push.ahead = held(Key::up, Key::w) - held(Key::down, Key::s);
+  push.nearer = held(Key::plus, Key::plus) - held(Key::minus, Key::minus);
+  push.turn = held(Key::e, Key::e) - held(Key::q, Key::q);
+  push.tilt = held(Key::r, Key::page_up) - held(Key::f, Key::page_down);
+  camera_.push(push);
+}
+
+void Session::text(unsigned codepoint) {
+  imgui_input::text(codepoint);
+  panel_frames_ = 3;
+}
+
+void Session::pasted(const std::string& text) {
+  if (ImGui::GetIO().WantTextInput) {
+    for (const char c : text) imgui_input::text(static_cast<unsigned char>(c));
+    panel_frames_ = 3;
+  } else if (text.find('{') != std::string::npos) {
+    add_notices(load_json(text));
+  } else if (text.find('=') != std::string::npos) {
+    add_notices(load_link(text));
+  }
+}
+
+// Frames
+
+Session::Turn Session::frame(double now, GLuint framebuffer) {
+  Turn turn;
+  const double elapsed = now_ > 0.0 ? std::clamp(now - now_, 0.0, 1.0) : 0.0;
+  now_ = now;
+  if (made_at_ < 0.0) made_at_ = now;
+  if (!renderer_) return turn;
+  if (planet_stale_) {
+    // A technique that is new to the scene compiles in the background; until then the last picture stays.
+    turn.progress = renderer_->prepare(document_.scene, view());
+    turn.again = true;
+    if (turn.progress < 1.0) return turn;
+  }
+
+  if (camera_.tick(document_.scene, view(), elapsed)) scene_was_changed();
+  advance_clock(elapsed);
+  const bool panel_wanted = panel_shown_ && (panel_frames_ > 0 || planet_stale_);
+  if (panel_wanted) run_panel();
+  const bool refining = frames_ > 0 && !renderer_->settled() && !hand_on_value_;
+  if (planet_stale_ || refining || frames_ == 0) {
+    draw_planet(now);
+    turn.drawn = true;
+  } else {
+    turn.drawn = panel_wanted || panel_frames_ > 0;
+  }
+  if (turn.drawn) {
+    renderer_->show(framebuffer, static_cast<int>(width_ * scale_ + 0.5), static_cast<int>(height_ * scale_ + 0.5),
+                    document_.scene.quality.antialias);
+    if (panel_shown_) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (panel_frames_ > 0) --panel_frames_;
+  }
+  const bool clock_runs = !paused_ && renderer_->needs().moving;
+  turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_;
+  if (!turn.again) last_drawn_.reset();  // a pause is not a slow frame
+  return turn;
+}
+
+void Session::advance_clock(double elapsed) {
+  if (paused_ || document_.scene.time.speed == 0.0) return;
+  seconds_ += elapsed * document_.scene.time.speed;
+  if (renderer_->needs().moving) planet_stale_ = true;
+}
+
+void Session::draw_planet(double now) {
+  renderer_->draw(document_.scene, view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
+  planet_stale_ = false;
+  ++frames_;
+  note_frame_time(now);
+}
+
+void Session::note_frame_time(double now) {
+  if (frames_ == 1) first_frame_ms_ = 1000.0 * (now - made_at_);
+  if (last_drawn_) frame_ms_.push_back(1000.0 * (now - *last_drawn_));
+  last_drawn_ = now;
+  if (frame_ms_.size() > frames_timed) frame_ms_.pop_front();
+  // The resolution follows the time that frames take; slowly, so that it does not swing.
+  const double target = document_.scene.quality.target_ms;
+  if (target == 0.0) {
+    auto_scale_ = 1.0;
+  } else if (frame_ms_.size() >= 8 && frames_ % 8 == 0) {
+    const double median = spread_of({frame_ms_.end() - 8, frame_ms_.end()}).median;
+    if (median > 1.15 * target) auto_scale_ = std::max(0.25, auto_scale_ * 0.88);
+    if (median < 0.75 * target) auto_scale_ = std::min(1.0, auto_scale_ * 1.06);
+  }
+}
+
+// Runs the panel's logic on the events since the last time; what it shows is drawn later.
+void Session::run_panel() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width_ * scale_), static_cast<float>(height_ * scale_)};
+  io.DeltaTime = 1.0F / 60.0F;
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  const PanelWishes wishes = panel_.draw(document_, facts());
+  ImGui::Render();
+  obey(wishes);
+}
+
+void Session::obey(const PanelWishes& wishes) {
+  if (wishes.scene_replaced) camera_.stop();
+  if (wishes.scene_changed || wishes.scene_replaced) scene_was_changed();
+  // The hand has left a value: now the finer ground can come.
+  if (hand_on_value_ && !wishes.dragging) planet_stale_ = true;
+  hand_on_value_ = wishes.dragging;
+  if (wishes.paused) set_paused(*wishes.paused);
+  if (wishes.seconds) set_seconds(*wishes.seconds);
+  if (wishes.copy_link && host_.copy_text) host_.copy_text(to_link(document_));
+  if (wishes.copy_json && host_.copy_text) host_.copy_text(to_json(document_));
+  if (wishes.save_json && host_.save_json) host_.save_json(to_json(document_));
+  if (wishes.open_json && host_.open_json) host_.open_json();
+  if (wishes.save_picture && host_.save_picture) host_.save_picture();
+  if (wishes.dismiss_notices) notices_.clear();
+  if (wishes.hide) show_panel(false);
+}
+
+PanelFacts Session::facts() const {
+  PanelFacts facts;
+  const RenderStats work = renderer_->stats();
+  facts.seconds = seconds_;
+  facts.paused = paused_;
+  facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;
+  facts.triangles = work.triangles;
+  facts.gpu_bytes = work.gpu_bytes;
+  facts.noise_evaluations = work.noise_evaluations;
+  facts.draw_calls = work.draw_calls;
+  facts.renderer = gl::caps().renderer;
+  for (const Decision& d : renderer_->needs().decisions) facts.decisions.push_back({d.what, d.chosen, d.why});
+  facts.notices = notices_;
+  return facts;
+}
+
+// The scene
+
+void Session::scene_was_changed() {
+  planet_stale_ = true;
+  panel_frames_ = std::max(panel_frames_, 2);
+  if (host_.scene_changed) host_.scene_changed();
+}
+
+std::vector<std::string> Session::load_json(const std::string& text) {
+  SceneDocument loaded;
+  const Issues issues = terrella::load_json(loaded, text);
+  document_ = loaded;
+  camera_.stop();
+  scene_was_changed();
+  return issues.sentences();
+}
+
+std::vector<std::string> Session::load_link(const std::string& link) {
+  SceneDocument loaded;
+  const Issues issues = terrella::load_link(loaded, link);
+  document_ = loaded;
+  camera_.stop();
+  scene_was_changed();
+  return issues.sentences();
+}
+
+std::string Session::set(const std::string& path, const std::string& text) {
+  const std::optional<Issue> issue = assign_text(document_.scene, path, text);
+  if (issue) return issue->text();
+  scene_was_changed();
+  return {};
+}
+
+void Session::set_paused(bool paused) {
+  paused_ = paused;
+  panel_frames_ = std::max(panel_frames_, 2);
+}
+
+void Session::set_seconds(double seconds) {
+  seconds_ = seconds;
+  planet_stale_ = true;
+}
+
+void Session::show_panel(bool shown) {
+  panel_shown_ = shown;
+  panel_frames_ = 3;
+}
+
+void Session::add_notices(const std::vector<std::string>& sentences) {
+  notices_.insert(notices_.end(), sentences.begin(), sentences.end());
+  panel_frames_ = 3;
+}
+
+void Session::render_at(double seconds, GLuint framebuffer) {
+  if (!renderer_) return;
+  seconds_ = seconds;
+  renderer_->draw(document_.scene, view(), {});
+  ++frames_;
+  renderer_->show(framebuffer, static_cast<int>(width_ * scale_ + 0.5), static_cast<int>(height_ * scale_ + 0.5),
+                  document_.scene.quality.antialias);
+  planet_stale_ = false;
+  panel_frames_ = 2;
+  unsigned char pixel[4];
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+}
+
+Image Session::picture(int width, int height) {
+  planet_stale_ = true;  // the renderer's picture will have another size
+  StillOptions options;
+  options.width = width;
+  options.height = height;
+  options.seconds = seconds_;
+  return take_picture(*renderer_, document_.scene, options);
+}
+
+std::string Session::stats() const {
+  StatsReport report;
+  report.renderer = gl::caps().renderer;
+  const View v = view();
+  report.width = v.width;
+  report.height = v.height;
+  report.frame_ms = {frame_ms_.begin(), frame_ms_.end()};
+  report.first_frame_ms = first_frame_ms_;
+  report.frames = frames_;
+  if (renderer_) {
+    report.work = renderer_->stats();
+    report.needs = renderer_->needs();
+  }
+  report.issues = notices_;
+  return to_json(report);
+}
+
+}  // namespace terrella

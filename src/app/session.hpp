@@ -1,0 +1,130 @@
+// One planet on screen: scene, clock, camera, panel and renderer. The window and the page feed it with what hands do and
+// ask it for frames; it draws only when something has changed.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/camera_control.hpp"
+#include "app/input.hpp"
+#include "base/image.hpp"
+#include "panel/panel.hpp"
+#include "render/renderer.hpp"
+#include "scene/document.hpp"
+
+struct ImGuiContext;
+
+namespace terrella {
+
+class Session {
+ public:
+  // What the surroundings do for the session.
+  struct Host {
+    std::function<void()> scene_changed;                    // by the user or by a call
+    std::function<void(const std::string&)> copy_text;      // to the clipboard
+    std::function<void(const std::string&)> save_json;      // offers a file
+    std::function<void()> open_json;                        // asks for a file; comes back through load_json
+    std::function<void()> save_picture;                     // offers a picture of the window
+  };
+
+  explicit Session(Host host);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // After a context was made current and its caps read; again after it was lost and restored.
+  void context_made();
+  // Everything on the GPU is gone. The scene is not.
+  void context_lost();
+
+  // points: size of the window or canvas; scale: pixels per point.
+  void resize(int width, int height, double scale);
+
+  void pointer_moved(double x, double y);
+  void pointer_button(Button button, bool down);
+  void pointer_left();  // the window
+  void wheel(double notches);
+  // Two fingers: factor of their distance, movement of their middle, around a place.
+  void pinch(double factor, double dx, double dy, double x, double y);
+  void key(Key key, bool down, Modifiers modifiers);
+  void text(unsigned codepoint);
+  void pasted(const std::string& text);
+
+  struct Turn {
+    bool drawn = false;     // into the framebuffer given
+    bool again = false;     // another frame is wanted without a further event
+    double progress = 1.0;  // below 1 until the first frame: share of the shaders that are ready
+  };
+  // now: seconds of any steady clock.
+  Turn frame(double now, GLuint framebuffer);
+
+  [[nodiscard]] const SceneDocument& document() const { return document_; }
+  // Sentences for what was skipped; the rest applies.
+  std::vector<std::string> load_json(const std::string& text);
+  std::vector<std::string> load_link(const std::string& link);
+  // A sentence if the value was refused, else nothing. text: as in a link.
+  std::string set(const std::string& path, const std::string& text);
+
+  void set_paused(bool paused);
+  void set_seconds(double seconds);
+  void show_panel(bool shown);
+  void add_notices(const std::vector<std::string>& sentences);
+
+  // Draws the planet as it is at a time, complete, and waits until it is there. Leaves the clock at that time.
+  void render_at(double seconds, GLuint framebuffer);
+  // A picture of the planet alone, of any size that the machine can draw.
+  Image picture(int width, int height);
+  // As JSON.
+  [[nodiscard]] std::string stats() const;
+
+ private:
+  enum class Drag { none, turn, look };
+
+  View view() const;
+  void scene_was_changed();
+  void update_pushes();
+  void run_panel();
+  void obey(const PanelWishes& wishes);
+  void advance_clock(double seconds);
+  void draw_planet(double now);
+  void note_frame_time(double now);
+  PanelFacts facts() const;
+  glm::dvec2 to_pixels(glm::dvec2 points) const;
+
+  Host host_;
+  SceneDocument document_;
+  ImGuiContext* imgui_;
+  Panel panel_;
+  CameraControl camera_;
+  std::unique_ptr<Renderer> renderer_;
+
+  int width_ = 1280, height_ = 720;  // points
+  double scale_ = 1.0;
+  double seconds_ = 0.0;
+  bool paused_ = false;
+  bool panel_shown_ = true;
+  std::vector<std::string> notices_;
+
+  glm::dvec2 pointer_{0.0};
+  Drag drag_ = Drag::none;
+  double last_drag_time_ = 0.0;
+  std::set<Key> keys_down_;
+  bool hand_on_value_ = false;
+
+  bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
+  int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
+  double now_ = 0.0;
+  double made_at_ = -1.0;
+  std::optional<double> last_drawn_;
+  std::deque<double> frame_ms_;
+  double first_frame_ms_ = 0.0;
+  double auto_scale_ = 1.0;  // of the resolution, to hold quality.target_ms
+  std::int64_t frames_ = 0;
+};
+
+}  // namespace terrella

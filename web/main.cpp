@@ -1,0 +1,142 @@
+// The page's side of the program: C functions that web/page/terrella.mjs calls, and calls back into it.
+#include <emscripten.h>
+#include <emscripten/html5_webgl.h>
+
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/session.hpp"
+#include "gl/caps.hpp"
+#include "scene/json.hpp"
+#include "scene/link.hpp"
+#include "scene/manual.hpp"
+#include "scene/parameters.hpp"
+
+namespace {
+
+using terrella::Session;
+
+// clang-format off
+EM_JS(void, page_scene_changed, (), { Module.onSceneChanged(); });
+EM_JS(void, page_copy_text, (const char* text), { Module.onCopyText(UTF8ToString(text)); });
+EM_JS(void, page_save_json, (const char* text), { Module.onSaveJson(UTF8ToString(text)); });
+EM_JS(void, page_open_json, (), { Module.onOpenJson(); });
+EM_JS(void, page_save_picture, (), { Module.onSavePicture(); });
+// clang-format on
+
+std::unique_ptr<Session> session;
+EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
+
+// Text returned to the page lives until the next call.
+const char* returned(std::string text) {
+  static std::string kept;
+  kept = std::move(text);
+  return kept.c_str();
+}
+
+const char* returned_list(const std::vector<std::string>& sentences) {
+  return returned(nlohmann::json(sentences).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace
+
+extern "C" {
+
+// 0: all is well; 1: no WebGL 2; 2: no float targets.
+EMSCRIPTEN_KEEPALIVE int terrella_start() {
+  if (!session) {
+    Session::Host host;
+    host.scene_changed = page_scene_changed;
+    host.copy_text = [](const std::string& text) { page_copy_text(text.c_str()); };
+    host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
+    host.open_json = page_open_json;
+    host.save_picture = page_save_picture;
+    session = std::make_unique<Session>(std::move(host));
+    EmscriptenWebGLContextAttributes attributes;
+    emscripten_webgl_init_context_attributes(&attributes);
+    attributes.majorVersion = 2;
+    attributes.alpha = attributes.depth = attributes.antialias = false;
+    attributes.powerPreference = EM_WEBGL_POWER_PREFERENCE_HIGH_PERFORMANCE;
+    context = emscripten_webgl_create_context("#planet", &attributes);
+    if (context <= 0) return 1;
+  }
+  emscripten_webgl_make_context_current(context);
+  if (!terrella::gl::read_caps().float_targets) return 2;
+  terrella::gl::set_up_context();
+  session->context_made();
+  return 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void terrella_context_lost() { session->context_lost(); }
+
+EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale) {
+  session->resize(width, height, scale);
+}
+
+// Returns the share of shaders that are ready, below 1, until there is a picture; then 1, plus 1 if a picture was drawn,
+// plus 2 if another frame is wanted.
+EMSCRIPTEN_KEEPALIVE double terrella_frame(double seconds) {
+  const Session::Turn turn = session->frame(seconds, 0);
+  if (turn.progress < 1.0) return turn.progress;
+  return 1.0 + (turn.drawn ? 1.0 : 0.0) + (turn.again ? 2.0 : 0.0);
+}
+
+EMSCRIPTEN_KEEPALIVE void terrella_pointer_moved(double x, double y) { session->pointer_moved(x, y); }
+EMSCRIPTEN_KEEPALIVE void terrella_pointer_button(int button, int down) {
+  session->pointer_button(static_cast<terrella::Button>(button), down != 0);
+}
+EMSCRIPTEN_KEEPALIVE void terrella_pointer_left() { session->pointer_left(); }
+EMSCRIPTEN_KEEPALIVE void terrella_wheel(double notches) { session->wheel(notches); }
+EMSCRIPTEN_KEEPALIVE void terrella_pinch(double factor, double dx, double dy, double x, double y) {
+  session->pinch(factor, dx, dy, x, y);
+}
+// key: an index of terrella::Key, in its order.
+EMSCRIPTEN_KEEPALIVE void terrella_key(int key, int down, int shift, int control) {
+  session->key(static_cast<terrella::Key>(key), down != 0, {shift != 0, control != 0});
+}
+EMSCRIPTEN_KEEPALIVE void terrella_text(unsigned codepoint) { session->text(codepoint); }
+EMSCRIPTEN_KEEPALIVE void terrella_pasted(const char* text) { session->pasted(text); }
+
+// JSON of a value, or "" where there is no such parameter.
+EMSCRIPTEN_KEEPALIVE const char* terrella_get(const char* path) {
+  const terrella::Parameter* parameter = terrella::find_parameter(path);
+  if (parameter == nullptr) return returned("");
+  return returned(terrella::json_value(parameter->get(session->document().scene)));
+}
+EMSCRIPTEN_KEEPALIVE const char* terrella_no_such_parameter(const char* path) {
+  return returned(terrella::no_such_parameter(path).text());
+}
+// A sentence, or "".
+EMSCRIPTEN_KEEPALIVE const char* terrella_set(const char* path, const char* text) {
+  return returned(session->set(path, text));
+}
+EMSCRIPTEN_KEEPALIVE const char* terrella_scene() { return returned(terrella::to_json(session->document())); }
+EMSCRIPTEN_KEEPALIVE const char* terrella_link() { return returned(terrella::to_link(session->document())); }
+EMSCRIPTEN_KEEPALIVE const char* terrella_load_json(const char* text) { return returned_list(session->load_json(text)); }
+EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) { return returned_list(session->load_link(link)); }
+EMSCRIPTEN_KEEPALIVE void terrella_add_notice(const char* sentence) { session->add_notices({sentence}); }
+EMSCRIPTEN_KEEPALIVE void terrella_set_paused(int paused) { session->set_paused(paused != 0); }
+EMSCRIPTEN_KEEPALIVE void terrella_show_panel(int shown) { session->show_panel(shown != 0); }
+EMSCRIPTEN_KEEPALIVE const char* terrella_stats() { return returned(session->stats()); }
+EMSCRIPTEN_KEEPALIVE void terrella_render(double seconds) { session->render_at(seconds, 0); }
+
+// Four bytes a pixel, top row first, alive until the next picture.
+EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height) {
+  static std::vector<unsigned char> pixels;
+  const terrella::Image image = session->picture(width, height);
+  pixels.assign(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const float* from = image.at(x, y);
+      unsigned char* to = pixels.data() + std::size_t{4} * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+      for (int c = 0; c < 3; ++c) to[c] = static_cast<unsigned char>(from[c] * 255.0F + 0.5F);
+    }
+  }
+  return pixels.data();
+}
+EMSCRIPTEN_KEEPALIVE int terrella_largest_picture() { return terrella::gl::caps().max_texture; }
+}
+
+int main() { return 0; }
