@@ -21,19 +21,24 @@ private_apt() {
     -o APT::Sandbox::User= -o Acquire::Languages=none "$@")
 }
 
+fetch_from() {
+  echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $1 $suite main" >"$work/sources.list"
+  private_apt update && private_apt source --download-only imgui &&
+    echo "$sha256  $(echo "$work"/imgui_*.orig.tar.xz)" | sha256sum --check --quiet
+}
+
 # Where no lists were fetched yet, the label is empty: then each mirror is worth a try. The signature decides.
+# shellcheck disable=SC2016 # apt fills these in
 mirrors=$(apt-get indextargets --format '$(LABEL)|$(REPO_URI)' 'Created-By: Packages' |
   sed -n 's/^Debian|//p; s/^|//p' | sort -u)
 for mirror in $mirrors; do
-  echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" >"$work/sources.list"
-  private_apt update && private_apt source --download-only imgui || continue
-  archive=$(echo "$work"/imgui_*.orig.tar.xz)
-  echo "$sha256  $archive" | sha256sum --check --quiet || continue
-  tar -xf "$archive" -C "$work/unpacked" --strip-components=1
-  mkdir -p "$(dirname "$folder")"
-  rm -rf "$folder"
-  mv "$work/unpacked" "$folder"
-  exit 0
+  if fetch_from "$mirror"; then
+    tar -xf "$work"/imgui_*.orig.tar.xz -C "$work/unpacked" --strip-components=1
+    mkdir -p "$(dirname "$folder")"
+    rm -rf "$folder"
+    mv "$work/unpacked" "$folder"
+    exit 0
+  fi
 done
 echo "Debian's archive is not among this machine's apt sources, or has no such source package" >&2
 exit 1

@@ -18,12 +18,16 @@ Air scene_air() {
   return air;
 }
 
-// Thickness of the clouds over a place, 0..1. blur: levels of the map to leave out.
-float cloud_over(vec3 direction, float blur) {
+// The noise that clouds are made from, at the frame's time. blur: levels of the map to leave out.
+float cloud_noise(vec3 direction, float blur) {
   vec3 d = vec3(cloud_turn.x * direction.x + cloud_turn.y * direction.y,
                 cloud_turn.x * direction.y - cloud_turn.y * direction.x, direction.z);
-  float noise = mix(texture(clouds_before, d, blur).r, texture(clouds_after, d, blur).r, cloud_turn.z);
-  return cloud_thickness(noise, clouds_coverage, clouds_softness);
+  return mix(texture(clouds_before, d, blur).r, texture(clouds_after, d, blur).r, cloud_turn.z);
+}
+
+// Thickness of the clouds over a place, 0..1.
+float cloud_over(vec3 direction, float blur) {
+  return cloud_thickness(cloud_noise(direction, blur), clouds_coverage, clouds_softness);
 }
 
 // Part of the sunlight that the clouds leave at a place under them.
@@ -41,8 +45,9 @@ vec3 sunlight_at(vec3 up, float height) {
   float climb = dot(up, sun_direction.xyz);
   float dip = sqrt(2.0 * max(height, 0.0));
   float risen = smoothstep(-0.02 - dip, 0.10, climb);
-  float low = ripple.z * air_density * (1.0 - smoothstep(0.0, 0.38, climb));
-  return sun_light.rgb * mix(vec3(1.0), air_dusk_color.rgb * 1.15, 0.7 * low) * risen;
+  float low = 1.0 - smoothstep(0.0, 0.30, climb);
+  vec3 reddened = mix(vec3(1.0), air_dusk_color.rgb * 1.1, 0.62 * ripple.z * air_density * low * low);
+  return sun_light.rgb * reddened * risen;
 }
 
 // Light from the sky and from all around on a surface that faces along normal.
@@ -58,7 +63,7 @@ vec3 sky_along(vec3 up, vec3 ray) {
   Air air = scene_air();
   float cosine = max(dot(up, ray), 0.0);
   float opacity = air.density * mix(0.22, 1.0, fresnel_alpha(cosine, 3.0));
-  return sun_light.rgb * 0.34 * opacity * air_light(up, sun_direction.xyz, air);
+  return sun_light.rgb * 0.55 * opacity * air_light(up, sun_direction.xyz, air);
 }
 
 // The light of a surface as it arrives at the eye through the air before it. offset: from the eye to the surface.
@@ -69,11 +74,8 @@ vec3 through_air(vec3 light, vec3 offset) {
   vec3 ray = offset / distance_to;
   vec3 eye = eye_position();
   AirPath path = air_path(eye, ray, air.top);
-  // The whole of a way that ends at the ground is the way to the ground.
-  AirPath ground = air_path(eye, ray, 1.0);
-  float whole = (ground.leave > ground.enter && ground.enter > 0.0 ? ground.enter : path.leave) - path.enter;
-  float before = clamp(distance_to - path.enter, 0.0, max(whole, 0.0));
-  float opacity = air_opacity_before(air_opacity(path.cosine, air), before, whole);
+  float before = clamp(distance_to - path.enter, 0.0, path.leave - path.enter);
+  float opacity = air_opacity_before(air_opacity(path.cosine, air), path.cosine, before, air.top);
   vec3 up = normalize(eye + offset);
-  return mix(light, sun_light.rgb * 0.34 * air_light(up, sun_direction.xyz, air), opacity);
+  return mix(light, sun_light.rgb * 0.55 * air_light(up, sun_direction.xyz, air), opacity);
 }

@@ -10,15 +10,12 @@ void main() {
   vec3 eye = eye_position();
   AirPath path = air_path(eye, ray, air.top);
   if (path.leave <= path.enter) discard;
-  // A way from within is a part of the whole chord.
-  float opacity = air_opacity(path.cosine, air);
-  float whole = 2.0 * path.cosine * air.top;
-  opacity = air_opacity_before(opacity, path.leave - path.enter, whole);
+  float opacity = air_opacity_before(air_opacity(path.cosine, air), path.cosine, path.leave - path.enter, air.top);
   float within = path.enter > 0.0 ? 0.0 : 1.0;
   float overhead = within * 0.10 * air.density;
   opacity = clamp(opacity + overhead * (1.0 - opacity), 0.0, 1.0);
   // Lit where the ray comes nearest to the planet.
   vec3 nearest = eye + ray * clamp(-dot(eye, ray), path.enter, path.leave);
-  vec3 light = sun_light.rgb * 0.34 * air_light(normalize(nearest), sun_direction.xyz, air);
+  vec3 light = sun_light.rgb * 0.55 * air_light(normalize(nearest), sun_direction.xyz, air);
   emit_veil(light * opacity, opacity);
 }

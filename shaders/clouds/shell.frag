@@ -12,14 +12,15 @@ void main() {
   vec3 to_eye = -normalize(surface_from_eye);
   vec3 sun = sun_direction.xyz;
   float climb = dot(up, sun);
-  // Two samples towards the sun, as far apart as the layer is deep and the sun low.
+  // The cloud is as high as it is thick: what rises towards the sun shades what lies behind it.
   vec3 toward = sun - climb * up;
-  float reach = clouds_thickness / max(climb, 0.25);
-  float before = 0.6 * cloud_over(normalize(up + reach * toward), 0.5) + 0.4 * cloud_over(normalize(up + 2.2 * reach * toward), 1.0);
-  float depth = 2.2 * before + 0.9 * thickness * (dot(up, to_eye) < 0.0 ? 1.6 : 0.55);
-  float self_shade = mix(1.0, exp(-depth), clouds_shadow);
+  float reach = clouds_thickness / max(climb, 0.2);
+  float rise = cloud_noise(normalize(up + reach * toward), 0.0) - cloud_noise(normalize(up - 0.5 * reach * toward), 0.0);
+  float from_below = dot(up, to_eye) < 0.0 ? 1.5 * thickness : 0.0;
+  float depth = max(0.5 + 2.6 * rise, 0.0) + from_below;
+  float self_shade = mix(1.0, exp(-depth) * 1.25, clouds_shadow);
   vec3 sunlit = sunlight_at(up, clouds_height) * wrap_diffuse(climb, 0.25) * self_shade;
-  vec3 light = clouds_color.rgb * (sunlit + 1.6 * skylight_at(up, up)) * 0.62;
+  vec3 light = clouds_color.rgb * (sunlit + 1.6 * skylight_at(up, up)) * 0.5;
   // A shell seen along its edge would end in a line.
   float edge = smoothstep(0.0, 0.16, abs(dot(up, to_eye)));
   float opacity = clouds_density * thickness * edge;

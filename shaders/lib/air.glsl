@@ -49,17 +49,21 @@ float air_opacity(float cosine, Air air) {
   return air.density * inside * rim * rim * rim;
 }
 
-// Opacity before a surface at a distance, when the whole way would have the given opacity: optical depth grows with the
-// path. whole: length of the whole way, > 0.
-float air_opacity_before(float opacity, float path, float whole) {
+// Opacity of a part of a ray's way, when the whole way has the given opacity: optical depth grows with the path. The
+// whole way runs from edge to edge of the shell, or twice to the ground where it meets that, so that it changes
+// smoothly over the limb. cosine: of AirPath; path: length of the part, >= 0.
+float air_opacity_before(float opacity, float cosine, float path, float top) {
+  float half_chord = cosine * top;
+  float under = max(half_chord * half_chord - (top - 1.0) * (top + 1.0), 0.0);
+  float whole = 2.0 * (half_chord - sqrt(under));
   float depth = -log(max(1.0 - opacity, 1.0e-4));
-  return 1.0 - exp(-depth * clamp(path / max(whole, 1.0e-9), 0.0, 1.0));
+  return 1.0 - exp(-depth * clamp(path / max(whole, 1.0e-6), 0.0, 1.0));
 }
 
 // Light that the air at a place gives: day, dusk, night. up: unit, from the centre to the place; sun: unit.
 vec3 air_light(vec3 up, vec3 sun, Air air) {
   float height = dot(up, sun);
   float day = wrap_diffuse(height, air.wrap);
-  float low = smoothstep(-air.wrap, 0.12, height) * (1.0 - smoothstep(0.02, 0.42, height));
-  return mix(air.color, air.dusk, 0.75 * low) * day;
+  float low = smoothstep(-air.wrap, 0.05, height) * (1.0 - smoothstep(-0.02, 0.26, height));
+  return mix(air.color, air.dusk, 0.6 * low) * day;
 }

@@ -13,8 +13,8 @@ float flow_layer(vec3 direction, float frequency, float amplitude, float strengt
 // Thickness of the cloud, 0..1, from the noise at a place (its sum divided by the sum of amplitudes, -1..1). coverage:
 // part of the sky that is covered, 0..1; softness 0..1.
 float cloud_thickness(float noise, float coverage, float softness) {
-  float threshold = 0.42 * (1.0 - 2.0 * coverage);
-  float width = 0.02 + 0.5 * softness;
-  float full = clamp((noise - threshold) / width + 0.5 * softness, 0.0, 1.0);
-  return coverage <= 0.0 ? 0.0 : full * full * (3.0 - 2.0 * full);
+  float threshold = 0.45 * (1.0 - 2.0 * coverage) - 0.12 * softness;
+  float width = 0.03 + 0.55 * softness;
+  float rise = clamp((noise - threshold) / width, 0.0, 1.0);
+  return coverage <= 0.0 ? 0.0 : rise * rise * (3.0 - 2.0 * rise);
 }

@@ -11,10 +11,9 @@ out float star_radius;  // pixels
 
 void main() {
   vec4 place = clip_from_eye * vec4(star.xyz, 0.0);
-  float brightness = star.w * stars_brightness;
   // A dim star is not smaller than a pixel, but dimmer: it does not twinkle as it moves over the pixels.
   star_radius = stars_size * (0.75 + 0.75 * star.w);
-  star_light = color.rgb * brightness * 2.0;
+  star_light = color.rgb * stars_brightness * (0.10 + 2.2 * star.w);
   if (ripple.z > 0.0) {
     // Hidden by the planet's air; seen from within, by the daylight.
     float top = 1.0 + air_height;

@@ -1,5 +1,3 @@
-#include "base/file.hpp"
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <memory>
 #include <system_error>
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 
 namespace terrella {

@@ -56,9 +56,11 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
   std::string_view nearest;
   std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
-    if (candidate.size() > kLongestName) continue;
+    const std::size_t shorter = std::min(name.size(), candidate.size());
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    if (longer > kLongestName || longer - shorter >= least) continue;
     const std::size_t distance = edit_distance(name, candidate);
-    const bool shares_a_letter = distance < std::max(name.size(), candidate.size());
+    const bool shares_a_letter = distance < longer;
     if (distance < least && shares_a_letter) {
       least = distance;
       nearest = candidate;

@@ -18,8 +18,8 @@ struct Issue {
   std::string text() const;
 };
 
-// The sentences for a user's bad input, in the order they were found. Only the first few are kept, so that hostile input
-// costs neither memory nor the reader's patience; the others are counted.
+// The sentences for a user's bad input, in the order they were found. Only the first few are kept, so that hostile
+// input costs neither memory nor the reader's patience; the others are counted.
 class Issues {
  public:
   static constexpr std::size_t kMostListed = 20;

@@ -12,7 +12,7 @@ namespace terrella {
 namespace {
 
 // Cells per radian of the noise whose peaks are the stars.
-constexpr double frequency = 34.0;
+constexpr double frequency = 46.0;
 // Samples per cell of the search, and how much of a cell a sample lies from a peak at the most.
 constexpr double samples_per_cell = 1.6;
 // The threshold at full and at no density. P(n > 0.6) is a hundredth or so (tests/laws/noise_test.cpp).

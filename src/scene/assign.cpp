@@ -107,9 +107,9 @@ std::string_view nearest_path(std::string_view path) {
 }  // namespace
 
 std::string to_text(const Value& value) {
-  return std::visit(Overloaded{[](const Color& color) { return to_text(color); },
-                               [](const auto& other) { return text_of(other); }},
-                    value);
+  return std::visit(
+      Overloaded{[](const Color& color) { return to_text(color); }, [](const auto& other) { return text_of(other); }},
+      value);
 }
 
 std::string allowed_values(const Parameter& parameter) {

@@ -16,19 +16,6 @@ namespace {
 // What a preset's file says about itself.
 constexpr std::array<std::string_view, 2> kNotOurs = {"title", "about"};
 
-// "steepness":0.9,"count":8 for what differs in one group.
-std::string differing_members(std::string_view group, const Scene& scene, const Scene& start) {
-  std::string members;
-  for (const Parameter& parameter : parameters()) {
-    if (parameter.group != group) continue;
-    const Value value = parameter.get(scene);
-    if (value == parameter.get(start)) continue;
-    if (!members.empty()) members += ',';
-    members += text_of(json_quoted(parameter.name), ':', json_value(value));
-  }
-  return members;
-}
-
 }  // namespace
 
 std::string json_value(const Value& value) {
@@ -43,11 +30,19 @@ std::string to_json(const SceneDocument& document) {
   CHECK(preset != nullptr, document.preset);
   std::string json = text_of("{\"terrella\":", kSceneVersion);
   if (document.preset != kDefaultPreset) json += text_of(",\"preset\":", json_quoted(document.preset));
-  for (const Group& group : groups()) {
-    const std::string members = differing_members(group.name, document.scene, preset->scene);
-    if (!members.empty()) json += text_of(',', json_quoted(group.name), ":{", members, '}');
+  std::string_view open_group;  // whose members are being written
+  for (const Parameter& parameter : parameters()) {
+    const Value value = parameter.get(document.scene);
+    if (value == parameter.get(preset->scene)) continue;
+    if (parameter.group != open_group) {
+      json += text_of(open_group.empty() ? "," : "},", json_quoted(parameter.group), ":{");
+      open_group = parameter.group;
+    } else {
+      json += ',';
+    }
+    json += text_of(json_quoted(parameter.name), ':', json_value(value));
   }
-  return json + '}';
+  return json + (open_group.empty() ? "}" : "}}");
 }
 
 Issues load_json(SceneDocument& document, std::string_view text) {

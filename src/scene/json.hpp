@@ -17,8 +17,8 @@ inline constexpr std::size_t kLongestJson = 1'000'000;
 // from its preset. load_json makes the same scene of it, value for value.
 std::string to_json(const SceneDocument& document);
 
-// Applies a scene's JSON to the document. A text that names a preset starts from that; one that does not starts from the
-// document as it is, so give a new SceneDocument to load what to_json wrote. Members may also be written flat,
+// Applies a scene's JSON to the document. A text that names a preset starts from that; one that does not starts from
+// the document as it is, so give a new SceneDocument to load what to_json wrote. Members may also be written flat,
 // {"waves.count": 8}. "title" and "about" are passed over. What cannot be applied is skipped and becomes an issue.
 Issues load_json(SceneDocument& document, std::string_view text);
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view kIntroduction =
     "# Terrella's parameters\n\n"
-    "Every parameter of a scene. In a scene's JSON they stand by group, `{\"terrella\": 1, \"waves\": {\"count\": 8}}`; in "
+    "Every parameter of a scene. In a scene's JSON they stand by group, `{\"terrella\": 1, \"waves\": {\"count\": "
+    "8}}`; in "
     "a\nlink and on the command line flat, `waves.count=8`. Lengths are in metres. Where a scene starts from a preset, "
     "the\npreset's values take the place of the defaults below.\n";
 
@@ -70,9 +71,8 @@ std::string manual_text() {
                     "| parameter | type | default | range | unit | help |\n| --- | --- | --- | --- | --- | --- |\n");
     for (const Parameter& parameter : parameters()) {
       if (parameter.group != group.name) continue;
-      text += text_of("| `", parameter.path, "` | ", type_name(parameter.type), " | ",
-                      to_text(parameter.default_value), " | ", range_cell(parameter), " | ", parameter.unit, " | ",
-                      parameter.help, " |\n");
+      text += text_of("| `", parameter.path, "` | ", type_name(parameter.type), " | ", to_text(parameter.default_value),
+                      " | ", range_cell(parameter), " | ", parameter.unit, " | ", parameter.help, " |\n");
     }
   }
   return text;

@@ -1,5 +1,7 @@
 #include "scene/parameters.hpp"
 
+#include <unordered_map>
+
 #include "base/check.hpp"
 #include "base/text.hpp"
 
@@ -38,9 +40,8 @@ Parameter choice_parameter(std::string_view group, std::string_view name, std::s
   {NAMES(group, name), Type::Int, Value(value), min, max, 0, "", linear, {}, help, FIELD(group, name)},
 #define BOOL(group, name, value, help) \
   {NAMES(group, name), Type::Bool, Value(value), 0, 0, 0, "", linear, {}, help, FIELD(group, name)},
-#define COLOR(group, name, value, help)                                                             \
-  {NAMES(group, name), Type::Color, Value(Color::from_hex(value)), 0, 0, 0, "", linear, {}, help, \
-   FIELD(group, name)},
+#define COLOR(group, name, value, help) \
+  {NAMES(group, name), Type::Color, Value(Color::from_hex(value)), 0, 0, 0, "", linear, {}, help, FIELD(group, name)},
 #define CHOICE(group, name, value, choices, help) \
   choice_parameter(NAMES(group, name), value, choices, help, FIELD(group, name)),
 #define END_GROUP(group)
@@ -64,6 +65,12 @@ constexpr Group kGroups[] = {
 };
 #include "scene/params_undef.inc"
 
+std::unordered_map<std::string_view, const Parameter*> index_by_path() {
+  std::unordered_map<std::string_view, const Parameter*> by_path;
+  for (const Parameter& parameter : parameters()) by_path[parameter.path] = &parameter;
+  return by_path;
+}
+
 }  // namespace
 
 std::span<const Parameter> parameters() {
@@ -74,10 +81,9 @@ std::span<const Parameter> parameters() {
 std::span<const Group> groups() { return kGroups; }
 
 const Parameter* find_parameter(std::string_view path) {
-  for (const Parameter& parameter : parameters()) {
-    if (parameter.path == path) return &parameter;
-  }
-  return nullptr;
+  static const std::unordered_map<std::string_view, const Parameter*> by_path = index_by_path();
+  const auto found = by_path.find(path);
+  return found == by_path.end() ? nullptr : found->second;
 }
 
 const Group* find_group(std::string_view name) {

@@ -30,8 +30,8 @@ struct Parameter {
   std::string_view path;  // "waves.steepness"
   Type type;
   Value default_value;
-  double min, max;    // of Float and Int; for a Choice its indices; else 0 and 0
-  double slider_max;  // of lengths: how far a slider goes, in planet radii; else 0
+  double min, max;        // of Float and Int; for a Choice its indices; else 0 and 0
+  double slider_max;      // of lengths: how far a slider goes, in planet radii; else 0
   std::string_view unit;  // "m", "deg", …; empty for plain numbers
   Scale scale;
   std::vector<std::string_view> choices;

@@ -10,9 +10,9 @@ namespace {
 constexpr std::array<std::string_view, 4> kNames = {"waves.count", "waves.steepness", "water.model", "clouds.height"};
 
 TEST(NearestName, FindsWhatWasMeant) {
-  EXPECT_EQ(nearest_name("wavs.count", kNames), "waves.count");       // a letter left out
-  EXPECT_EQ(nearest_name("waves.countt", kNames), "waves.count");     // one too many
-  EXPECT_EQ(nearest_name("water.modal", kNames), "water.model");      // a wrong one
+  EXPECT_EQ(nearest_name("wavs.count", kNames), "waves.count");           // a letter left out
+  EXPECT_EQ(nearest_name("waves.countt", kNames), "waves.count");         // one too many
+  EXPECT_EQ(nearest_name("water.modal", kNames), "water.model");          // a wrong one
   EXPECT_EQ(nearest_name("waves.steepenss", kNames), "waves.steepness");  // two swapped
   EXPECT_EQ(nearest_name("clouds.height", kNames), "clouds.height");
 }
@@ -53,7 +53,9 @@ TEST(Issues, AddUpToTheirSum) {
   EXPECT_EQ(one.sentences().back(), "and 95 more.");
 }
 
-TEST(Issue, SpeaksOfTheWholeInputWithoutAPath) { EXPECT_EQ((Issue{"", "The text is empty."}).text(), "The text is empty."); }
+TEST(Issue, SpeaksOfTheWholeInputWithoutAPath) {
+  EXPECT_EQ((Issue{"", "The text is empty."}).text(), "The text is empty.");
+}
 
 }  // namespace
 }  // namespace terrella

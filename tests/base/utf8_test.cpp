@@ -24,7 +24,8 @@ TEST(Utf8, SurrogatesAndWhatIsTooLargeAreReplaced) {
 
 TEST(Utf8, WhatIsNotUtf8IsFoundAndRepaired) {
   const char* const bad[] = {
-      "\xff", "\x80",      // no lead bytes
+      "\xff",
+      "\x80",              // no lead bytes
       "\xc3",              // cut off
       "\xc3(",             // not followed by what was promised
       "\xc0\xaf",          // overlong

@@ -9,22 +9,79 @@
 #include "scene/random_scene.hpp"
 #include "targets.hpp"
 
-// A fixed number of texts, the same in every run; `LLVMFuzzerTestOneInput` goes on from here for as long as one likes.
+// A fixed number of texts of each kind, the same in every run; `LLVMFuzzerTestOneInput` goes on from here for as long
+// as one likes.
 namespace terrella {
 namespace {
 
-constexpr int kTexts = 20'000;
+constexpr int kTexts = 10'000;
 constexpr int kScenes = 100;
 
-constexpr auto kJsonWords = std::to_array<std::string_view>(
-    {"{", "}", "[", "]", ":", ",", "\"", "\\", "\\u", "\\ud83c", "\\u0000", "null", "true", "NaN", "-Infinity", "1e999",
-     "-1e-999", "0.1e", "-", "99999999999999999999", "\xff", "\xed\xa0\x80", "\xef\xbb\xbf", "\"terrella\":2,", "{}",
-     "\"preset\":\"storm\",", "\"preset\":\"strom\",", "\"waves\":{\"count\":", "\"wavs.count\":3,", "\"sun\":7,",
-     "\"terrain\":{\"ridged\":0,", "[[[[[[[[", "{\"a\":{\"a\":", "\"title\":\"x\",", "/*", "\n", "\0"});
+constexpr auto kJsonWords = std::to_array<std::string_view>({"{",
+                                                             "}",
+                                                             "[",
+                                                             "]",
+                                                             ":",
+                                                             ",",
+                                                             "\"",
+                                                             "\\",
+                                                             "\\u",
+                                                             "\\ud83c",
+                                                             "\\u0000",
+                                                             "null",
+                                                             "true",
+                                                             "NaN",
+                                                             "-Infinity",
+                                                             "1e999",
+                                                             "-1e-999",
+                                                             "0.1e",
+                                                             "-",
+                                                             "99999999999999999999",
+                                                             "\xff",
+                                                             "\xed\xa0\x80",
+                                                             "\xef\xbb\xbf",
+                                                             "\"terrella\":2,",
+                                                             "{}",
+                                                             "\"preset\":\"storm\",",
+                                                             "\"preset\":\"strom\",",
+                                                             "\"waves\":{\"count\":",
+                                                             "\"wavs.count\":3,",
+                                                             "\"sun\":7,",
+                                                             "\"terrain\":{\"ridged\":0,",
+                                                             "[[[[[[[[",
+                                                             "{\"a\":{\"a\":",
+                                                             "\"title\":\"x\",",
+                                                             "/*",
+                                                             "\n",
+                                                             "\0"});
 
-constexpr auto kLinkWords = std::to_array<std::string_view>(
-    {"&", "=", "?", "#", "%", "%2", "%zz", "%00", "%ff", "%26", "+", "://", "preset=", "preset=moon", "preset=mon", "&&",
-     "waves.count=", "wavs.count=3", "panel=0", "terrella=2", "nan", "1e999", "-", "true", "%23ff8800", "sun.color=", "\xff"});
+constexpr auto kLinkWords = std::to_array<std::string_view>({"&",
+                                                             "=",
+                                                             "?",
+                                                             "#",
+                                                             "%",
+                                                             "%2",
+                                                             "%zz",
+                                                             "%00",
+                                                             "%ff",
+                                                             "%26",
+                                                             "+",
+                                                             "://",
+                                                             "preset=",
+                                                             "preset=moon",
+                                                             "preset=mon",
+                                                             "&&",
+                                                             "waves.count=",
+                                                             "wavs.count=3",
+                                                             "panel=0",
+                                                             "terrella=2",
+                                                             "nan",
+                                                             "1e999",
+                                                             "-",
+                                                             "true",
+                                                             "%23ff8800",
+                                                             "sun.color=",
+                                                             "\xff"});
 
 std::vector<std::string> json_seeds() {
   std::vector<std::string> seeds;

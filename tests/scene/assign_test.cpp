@@ -48,9 +48,14 @@ TEST(Assign, QuotesNoMoreThanIsReadable) {
 }
 
 TEST(Assign, TakesWhatAUserMayWrite) {
-  for (const auto& [path, text] : {std::pair{"terrain.ridged", "1"}, {"terrain.ridged", "true"},
-                                   {"sun.color", "#FF8800"}, {"sun.color", "ff8800"}, {"waves.count", "8"},
-                                   {"waves.count", "8.0"}, {"waves.count", "1e1"}, {"planet.radius", "6.371e6"}}) {
+  for (const auto& [path, text] : {std::pair{"terrain.ridged", "1"},
+                                   {"terrain.ridged", "true"},
+                                   {"sun.color", "#FF8800"},
+                                   {"sun.color", "ff8800"},
+                                   {"waves.count", "8"},
+                                   {"waves.count", "8.0"},
+                                   {"waves.count", "1e1"},
+                                   {"planet.radius", "6.371e6"}}) {
     EXPECT_EQ(sentence(path, text), "");
   }
 }
@@ -63,8 +68,8 @@ TEST(Assign, RefusesWhatIsJustOutsideAndTakesTheEnds) {
     EXPECT_FALSE(assign(scene, parameter, parameter.min)) << parameter.path;
     EXPECT_FALSE(assign(scene, parameter, parameter.max)) << parameter.path;
     const Scene before = scene;
-    for (const double bad : {std::nextafter(parameter.min, -infinity), std::nextafter(parameter.max, infinity), infinity,
-                             -infinity, std::nan(""), 1e308, -1e308}) {
+    for (const double bad : {std::nextafter(parameter.min, -infinity), std::nextafter(parameter.max, infinity),
+                             infinity, -infinity, std::nan(""), 1e308, -1e308}) {
       EXPECT_TRUE(assign(scene, parameter, bad)) << parameter.path << " took " << bad;
     }
     EXPECT_EQ(scene, before) << parameter.path;

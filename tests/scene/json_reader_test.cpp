@@ -37,8 +37,9 @@ TEST(ReadJson, KnowsEachTypeOfValue) {
 
 TEST(ReadJson, ResolvesEscapes) {
   EXPECT_EQ(flat(R"({"a\"b": "\\\/\b\f\n\r\tA\u00e4\ud83c\udf0d"})"), "a\"b=\\/\b\f\n\r\tAä🌍;");
-  EXPECT_EQ(flat(R"({"a": "\ud83c-\udf0d\uzzzz\ud83c\u0041"})"), "a=\xef\xbf\xbd-\xef\xbf\xbd\xef\xbf\xbdzzzz\xef\xbf\xbd"
-                                                                  "A;");
+  EXPECT_EQ(flat(R"({"a": "\ud83c-\udf0d\uzzzz\ud83c\u0041"})"),
+            "a=\xef\xbf\xbd-\xef\xbf\xbd\xef\xbf\xbdzzzz\xef\xbf\xbd"
+            "A;");
 }
 
 TEST(ReadJson, TakesABadValueForOneValue) {
@@ -51,11 +52,14 @@ TEST(ReadJson, YieldsWhatStandsBeforeABreak) {
   EXPECT_EQ(flat(R"({"a": 1, "b": "tw)"), "a=1;Line 1, column 18: the text breaks off; the rest was not read.");
   EXPECT_EQ(flat("{\"a\": 1,\n \"b\" 2}"),
             "a=1;Line 2, column 6: a colon should stand here, not \"2}\"; the rest was not read.");
-  EXPECT_EQ(flat(R"({"a": 1,})"), "a=1;Line 1, column 9: a name in quotes should stand here, not \"}\"; the rest was not "
-                                  "read.");
-  EXPECT_EQ(flat(R"({"a": 1 "b": 2})"), "Line 1, column 9: a comma or a closing brace should stand here, not "
-                                        "\"\"b\": 2}\"; the rest was not read.");
-  EXPECT_EQ(flat(R"({"a": 1} {})"), "a=1;Line 1, column 10: the scene ends, but the text goes on; the rest was not read.");
+  EXPECT_EQ(flat(R"({"a": 1,})"),
+            "a=1;Line 1, column 9: a name in quotes should stand here, not \"}\"; the rest was not "
+            "read.");
+  EXPECT_EQ(flat(R"({"a": 1 "b": 2})"),
+            "Line 1, column 9: a comma or a closing brace should stand here, not "
+            "\"\"b\": 2}\"; the rest was not read.");
+  EXPECT_EQ(flat(R"({"a": 1} {})"),
+            "a=1;Line 1, column 10: the scene ends, but the text goes on; the rest was not read.");
 }
 
 TEST(ReadJson, SaysWhereThereIsNoScene) {
@@ -66,7 +70,8 @@ TEST(ReadJson, SaysWhereThereIsNoScene) {
 
 // Wherever a text breaks off, there is a sentence, and no value that the whole text does not have.
 TEST(ReadJson, NeverMakesUpAValue) {
-  const std::string whole = R"({"terrella":1,"title":"a \u00e4","waves":{"count":15,"speed":0.125},"x":[[1,"]"]],"y":true})";
+  const std::string whole =
+      R"({"terrella":1,"title":"a \u00e4","waves":{"count":15,"speed":0.125},"x":[[1,"]"]],"y":true})";
   const JsonReading all = read_json(whole);
   ASSERT_EQ(all.trouble, "");
   for (std::size_t length = 0; length < whole.size(); ++length) {

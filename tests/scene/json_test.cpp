@@ -69,22 +69,21 @@ TEST(LoadJson, SaysEachThingThatIsWrongAndAppliesTheRest) {
     "waves": {"count": 8, "steepness": 1.4, "speed": NaN, "length": 1e999, "amplitude": "high", "spread": null},
     "wavs": {"count": 3}, "sun": 5, "water": {"model": "lava"}, "terrain": {"ridged": 1}, "air": {"color": "#ff88"},
     "clouds": {"octaves": 3, "octaves": 4}})");
-  EXPECT_EQ(loaded.sentences,
-            (Sentences{
-                "terrella: version 2 is not known; this program reads version 1.",
-                "preset: there is no preset \"strom\"; did you mean storm?",
-                "waves.steepness: 1.4 is out of range; allowed are 0 to 1.",
-                "waves.speed: NaN is not a number; allowed are 0 to 1e6 m/s.",
-                "waves.length: 1e999 is out of range; allowed are 1e-6 to 1e8 m.",
-                "waves.amplitude: \"high\" is not a number; allowed are 0 to 1e8 m.",
-                "waves.spread: null is not a number; allowed are 0 to 1.",
-                "wavs.count: there is no such parameter; did you mean waves.count?",
-                "sun: 5 is not a group of parameters, {…}.",
-                "water.model: \"lava\" is not a choice; allowed are none, auto, calm, waves.",
-                "terrain.ridged: 1 is neither true nor false; allowed are true or false.",
-                "air.color: \"#ff88\" is not a colour; allowed are #000000 to #ffffff.",
-                "clouds.octaves: is given more than once; the last one counts.",
-            }));
+  EXPECT_EQ(loaded.sentences, (Sentences{
+                                  "terrella: version 2 is not known; this program reads version 1.",
+                                  "preset: there is no preset \"strom\"; did you mean storm?",
+                                  "waves.steepness: 1.4 is out of range; allowed are 0 to 1.",
+                                  "waves.speed: NaN is not a number; allowed are 0 to 1e6 m/s.",
+                                  "waves.length: 1e999 is out of range; allowed are 1e-6 to 1e8 m.",
+                                  "waves.amplitude: \"high\" is not a number; allowed are 0 to 1e8 m.",
+                                  "waves.spread: null is not a number; allowed are 0 to 1.",
+                                  "wavs.count: there is no such parameter; did you mean waves.count?",
+                                  "sun: 5 is not a group of parameters, {…}.",
+                                  "water.model: \"lava\" is not a choice; allowed are none, auto, calm, waves.",
+                                  "terrain.ridged: 1 is neither true nor false; allowed are true or false.",
+                                  "air.color: \"#ff88\" is not a colour; allowed are #000000 to #ffffff.",
+                                  "clouds.octaves: is given more than once; the last one counts.",
+                              }));
   SceneDocument expected;
   expected.scene.waves.count = 8;
   expected.scene.clouds.octaves = 4;
@@ -125,12 +124,12 @@ TEST(LoadJson, BearsTheWorstThatFits) {
     while (json.size() + piece.size() + end.size() < kLongestJson) json += piece;
     return json + end;
   };
-  for (const std::string& json : {
-           repeated("\"wavs.count\":1,", "\"a\":1}"),       // each deserves a search for its nearest name
-           repeated("\"preset\":\"stom\",", "\"a\":1}"),    // so does each of these
-           repeated("\"preset\":\"storm\",", "\"a\":1}"),   // each a new start
-           repeated("\"sun.color\":1e999,", "\"a\":1}"),    // each a number too large
-           repeated("\"a\":[", ""), repeated("\"a\":{", ""), repeated("\\", "")}) {
+  for (const std::string& json :
+       {repeated("\"wavs.count\":1,", "\"a\":1}"),      // each deserves a search for its nearest name
+        repeated("\"preset\":\"stom\",", "\"a\":1}"),   // so does each of these
+        repeated("\"preset\":\"storm\",", "\"a\":1}"),  // each a new start
+        repeated("\"sun.color\":1e999,", "\"a\":1}"),   // each a number too large
+        repeated("\"a\":[", ""), repeated("\"a\":{", ""), repeated("\\", "")}) {
     EXPECT_FALSE(load(json).sentences.empty());
   }
 }

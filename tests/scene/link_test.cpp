@@ -64,29 +64,30 @@ TEST(LoadLink, TakesAWholeLinkOrItsQuery) {
 }
 
 TEST(LoadLink, TakesAColorInEachSpelling) {
-  for (const char* link : {"sun.color=ff8800", "sun.color=%23ff8800", "sun.color=#FF8800", "http://a/?sun.color=%23ff8800"}) {
+  for (const char* link :
+       {"sun.color=ff8800", "sun.color=%23ff8800", "sun.color=#FF8800", "http://a/?sun.color=%23ff8800"}) {
     EXPECT_EQ(load(link).document.scene.sun.color, (Color{255, 136, 0})) << link;
   }
 }
 
 TEST(LoadLink, SaysEachThingThatIsWrongAndAppliesTheRest) {
   const Loaded loaded = load(
-      "preset=moom&wavs.count=3&waves.count=8&waves.steepness=2&terrain.ridged=maybe&water.model=still+water&sun.color=%2"
+      "preset=moom&wavs.count=3&waves.count=8&waves.steepness=2&terrain.ridged=maybe&water.model=still+water&sun.color="
+      "%2"
       "&sun.latitude=%ff&waves.seed&waves.speed=1&waves.speed=2&terrella=9&ui=1");
-  EXPECT_EQ(loaded.sentences,
-            (Sentences{
-                "\"sun.color=%2\" is not percent-encoded UTF-8 text.",
-                "\"sun.latitude=%ff\" is not percent-encoded UTF-8 text.",
-                "preset: there is no preset \"moom\"; did you mean moon?",
-                "terrella: version 9 is not known; this program reads version 1.",
-                "wavs.count: there is no such parameter; did you mean waves.count?",
-                "waves.steepness: 2 is out of range; allowed are 0 to 1.",
-                "terrain.ridged: \"maybe\" is neither true nor false; allowed are true or false.",
-                "water.model: \"still water\" is not a choice; allowed are none, auto, calm, waves.",
-                "waves.seed: \"\" is not a whole number; allowed are 0 to 999999.",
-                "waves.speed: is given more than once; the last one counts.",
-                "ui: there is no such parameter.",
-            }));
+  EXPECT_EQ(loaded.sentences, (Sentences{
+                                  "\"sun.color=%2\" is not percent-encoded UTF-8 text.",
+                                  "\"sun.latitude=%ff\" is not percent-encoded UTF-8 text.",
+                                  "preset: there is no preset \"moom\"; did you mean moon?",
+                                  "terrella: version 9 is not known; this program reads version 1.",
+                                  "wavs.count: there is no such parameter; did you mean waves.count?",
+                                  "waves.steepness: 2 is out of range; allowed are 0 to 1.",
+                                  "terrain.ridged: \"maybe\" is neither true nor false; allowed are true or false.",
+                                  "water.model: \"still water\" is not a choice; allowed are none, auto, calm, waves.",
+                                  "waves.seed: \"\" is not a whole number; allowed are 0 to 999999.",
+                                  "waves.speed: is given more than once; the last one counts.",
+                                  "ui: there is no such parameter.",
+                              }));
   SceneDocument expected;
   expected.scene.waves.count = 8;
   expected.scene.waves.speed = 2;

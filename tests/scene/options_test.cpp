@@ -35,8 +35,8 @@ TEST(SceneOptions, WithoutAnyGiveTheDefault) {
 
 TEST(SceneOptions, ApplyInTheirOrderHoweverTheyAreGiven) {
   const std::string file = scene_file(R"({"waves": {"count": 1, "seed": 1, "speed": 1}})");
-  const SceneChoice choice = parse({"--set", "waves.speed=3", "--link", "?waves.seed=2&waves.speed=2", "--set=waves.spread=0.5",
-                                    "--scene", file, "--preset", "storm"});
+  const SceneChoice choice = parse({"--set", "waves.speed=3", "--link", "?waves.seed=2&waves.speed=2",
+                                    "--set=waves.spread=0.5", "--scene", file, "--preset", "storm"});
   EXPECT_EQ(choice.issues.sentences(), std::vector<std::string>{});
   SceneDocument expected{find_preset("storm")->scene, "storm"};
   expected.scene.waves.count = 1;
@@ -53,14 +53,13 @@ TEST(SceneOptions, TakeNegativeNumbers) {
 TEST(SceneOptions, SayAllThatIsWrong) {
   const SceneChoice choice = parse({"--preset", "", "--scene", "/no/such/file.json", "--link", "wavs.count=3", "--set",
                                     "waves.steepness=2", "--set", "nonsense"});
-  EXPECT_EQ(choice.issues.sentences(),
-            (std::vector<std::string>{
-                "preset: there is no preset \"\".",
-                "/no/such/file.json: cannot be read: No such file or directory.",
-                "wavs.count: there is no such parameter; did you mean waves.count?",
-                "waves.steepness: 2 is out of range; allowed are 0 to 1.",
-                "--set \"nonsense\" is not of the form group.name=value.",
-            }));
+  EXPECT_EQ(choice.issues.sentences(), (std::vector<std::string>{
+                                           "preset: there is no preset \"\".",
+                                           "/no/such/file.json: cannot be read: No such file or directory.",
+                                           "wavs.count: there is no such parameter; did you mean waves.count?",
+                                           "waves.steepness: 2 is out of range; allowed are 0 to 1.",
+                                           "--set \"nonsense\" is not of the form group.name=value.",
+                                       }));
 }
 
 TEST(SceneOptions, RefuseAFileThatIsTooLong) {

@@ -43,7 +43,8 @@ TEST(Presets, AreDifferentWorlds) {
 // A file's name is a link's value, without escapes.
 TEST(Presets, HaveNamesThatFitALink) {
   for (const Preset& preset : presets()) {
-    EXPECT_EQ(preset.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-"), std::string::npos) << preset.name;
+    EXPECT_EQ(preset.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-"), std::string::npos)
+        << preset.name;
   }
 }
 
