@@ -27,9 +27,9 @@ void main() {
   w.depth = max(-map.w, 0.0);
   w.roughness = water_roughness;
   float crest = 1.0 - smoothstep(0.25, 0.75, jacobian);
-  float rise = sum.height / max(sea.y, 1.0e-9);
-  float shore = 1.0 - smoothstep(0.15, 0.9, w.depth / max(sea.w, 1.0e-9) - 0.5 * rise);
-  w.foam = water_foam * clamp(crest * smoothstep(-0.1, 0.5, rise) + 0.8 * shore, 0.0, 1.0);
+  float rise = sum.height / max(0.25 * sea.w, 1.0e-9);  // in amplitudes
+  float shore = 1.0 - smoothstep(0.05, 0.35, w.depth / sea.w - 0.05 * rise);
+  w.foam = water_foam * clamp(crest * smoothstep(0.2, 1.6, rise) + 0.8 * shore, 0.0, 1.0);
   vec3 light = channel.x == 0 ? through_air(water_light(w, place, surface_from_eye), surface_from_eye) : vec3(0.0);
   emit_surface(light, surface_from_eye, w.normal, sea.x - 1.0 + sum.height);
 }

@@ -29,7 +29,7 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, double clo
   const glm::vec3 high(pose.eye);
   const double radius = scene.planet.radius;
   const double drift = turned(glm::radians(scene.clouds.drift), view.seconds);
-  const double level = scene.water.level / radius;
+  const double level = has_water(scene) ? scene.water.level / radius : 0.0;
 
   FrameBlock block;
   block.clip_from_eye = clip_from_eye(pose, view);
@@ -48,7 +48,8 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, double clo
                                      needs.water == Water::none ? 0.0 : 1.0);
   block.cloud_turn =
       glm::vec4(std::cos(drift), std::sin(drift), cloud_blend, needs.clouds == Clouds::none ? 0.0 : 1.0);
-  const double shoal = 2.5 * sea.highest + 1e-6;
+  // Waves feel the ground where the water is a few of their heights deep.
+  const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
   block.sea = glm::vec4(1.0 + level, sea.highest, static_cast<double>(sea.waves.size()), shoal);
   block.ripple = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripples ? scene.water.ripples : 0.0,
                            needs.air == Air::none ? 0.0 : 1.0, icosphere_edge(needs.water_level));

@@ -21,7 +21,7 @@ bool GroundIcosphere::ready() { return bake_program_.ready() && draw_program_.re
 void GroundIcosphere::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Scene& scene = frame.scene;
-  const Key key = {scene.planet, scene.terrain, scene.water.level, frame.needs.ground_level, frame.needs.ground_texels};
+  const Key key = {scene.planet, scene.terrain, has_water(scene) ? scene.water.level : 0.0, frame.needs.ground_level, frame.needs.ground_texels};
   const bool changed = !key_ || *key_ != key;
   if (changed) {
     key_ = key;

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "gl/caps.hpp"
+#include "planet/terrain.hpp"
 #include "scene/uniforms.hpp"
 
 namespace terrella {
@@ -31,6 +32,12 @@ double planet_pixels(const View& view, const Pose& pose) {
   if (distance <= 1.0) return all;
   const double radius = std::tan(std::asin(std::min(1.0, 1.0 / distance))) / pose.pixel_angle;
   return std::isfinite(radius) ? std::min(all, std::numbers::pi * radius * radius) : all;
+}
+
+// Without water, heights count from the sphere.
+Scene scene_as_drawn(Scene scene) {
+  if (!has_water(scene)) scene.water.level = 0.0;
+  return scene;
 }
 
 void draw_opaque() {
@@ -88,7 +95,7 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   const Frame frame = {scene, view, pose_, needs_, sea, shot.channel, shot.effort};
 
   gl::begin_frame();
-  scene_buffer_.set(gl::block_scene, pack_scene(scene));
+  scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene)));
   update_slots(frame);
   set_frame_block(frame);
   bind_maps();
