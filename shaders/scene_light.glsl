@@ -4,8 +4,8 @@
 #include "lib/air.glsl"
 #include "lib/clouds.glsl"
 
-uniform samplerCube clouds_before;
-uniform samplerCube clouds_after;
+// The noise that clouds are made from, at three moments; cloud_moments weights them.
+uniform samplerCube clouds_map;
 
 Air scene_air() {
   Air air;
@@ -22,7 +22,7 @@ Air scene_air() {
 float cloud_noise(vec3 direction, float blur) {
   vec3 d = vec3(cloud_turn.x * direction.x + cloud_turn.y * direction.y,
                 cloud_turn.x * direction.y - cloud_turn.y * direction.x, direction.z);
-  return mix(texture(clouds_before, d, blur).r, texture(clouds_after, d, blur).r, cloud_turn.z);
+  return dot(texture(clouds_map, d, blur).rgb, cloud_moments.xyz);
 }
 
 // Thickness of the clouds over a place, 0..1.

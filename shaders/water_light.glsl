@@ -13,13 +13,10 @@ struct Water {
 vec3 light_through(Water w, vec3 ray, float shade) {
   vec3 refracted = refract(ray, w.normal, 1.0 / water_refraction_index);
   float dive = max(-dot(refracted, w.up), 0.25);
-  // The bottom is where the ray meets it: two steps from the depth below the surface come close.
+  // The bottom is where the ray meets it: one step from the depth below the surface comes close.
   vec3 bottom = normalize(w.up + refracted * (w.depth / dive));
-  vec4 map = textureLod(ground_map, bottom, 0.0);
+  vec4 map = texture(ground_map, bottom);
   float depth = max(0.5 * (w.depth - map.w), 0.0);
-  bottom = normalize(w.up + refracted * (depth / dive));
-  map = texture(ground_map, bottom);
-  depth = max(mix(w.depth, -map.w, 0.5), 0.0);
 
   vec3 extinction = extinction_of(water_tint.rgb) / max(water_clarity, 1.0e-9);
   vec3 normal = surface_normal(bottom, 1.0, map.xyz);

@@ -23,5 +23,6 @@ void main() {
     frequency *= 2.0;
     amplitude *= clouds_persistence;
   }
-  fragment = vec4(total > 0.0 ? sum / total : 0.0, 0.0, 0.0, 1.0);
+  // Every channel: the caller masks the one that is meant.
+  fragment = vec4(total > 0.0 ? sum / total : 0.0);
 }

@@ -79,8 +79,7 @@ void Program::finish() {
   bind_block(id(), "LayerBlock", block_layers);
   glUseProgram(id());
   set("ground_map", unit_ground);
-  set("clouds_before", unit_clouds_before);
-  set("clouds_after", unit_clouds_after);
+  set("clouds_map", unit_clouds);
   set("image", unit_image);
   finished_ = true;
 }

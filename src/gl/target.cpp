@@ -49,6 +49,15 @@ void CubeTarget::begin(const CubeMap& map, int face, int first, int end) const {
 
 void CubeTarget::end() { glDisable(GL_SCISSOR_TEST); }
 
+void fill(const CubeMap& map, const std::array<float, 4>& value) {
+  const CubeTarget target;
+  for (int face = 0; face < 6; ++face) {
+    target.begin(map, face, 0, map.side());
+    glClearBufferfv(GL_COLOR, 0, value.data());
+  }
+  CubeTarget::end();
+}
+
 void begin_screen(GLuint framebuffer, int width, int height) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, width, height);

@@ -1,6 +1,7 @@
 // Where drawing goes.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "gl/texture.hpp"
@@ -39,6 +40,9 @@ class CubeTarget {
  private:
   FramebufferHandle framebuffer_;
 };
+
+// Gives all texels of the finest level one value.
+void fill(const CubeMap& map, const std::array<float, 4>& value);
 
 // Directs drawing to the window (or canvas), or to another framebuffer of the caller's.
 void begin_screen(GLuint framebuffer, int width, int height);

@@ -15,7 +15,6 @@ Layout layout_of(Format format) {
     case Format::rgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
     case Format::rgba16f: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
     case Format::rgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
-    case Format::r16f: return {GL_R16F, GL_RED, GL_HALF_FLOAT, 2};
   }
   return {};
 }

@@ -24,76 +24,80 @@ void CloudsShell::update(const Frame& frame) {
   const Key key = {frame.scene.planet.seed, clouds.frequency,          clouds.persistence,       clouds.warp,
                    clouds.speed,            frame.needs.cloud_octaves, frame.needs.cloud_texels};
   if (!key_ || *key_ != key) {
-    for (Picture& picture : pictures_) {
-      picture.step.reset();
-      if (picture.map && picture.map->side() != key.texels) picture.map.reset();
-    }
-    job_step_.reset();
     key_ = key;
+    steps_.fill(std::nullopt);
+    job_step_.reset();
+    if (!fine_ || fine_->side() != key.texels) {
+      fine_ = std::make_unique<gl::CubeMap>(key.texels, gl::Format::rgba16f);
+      gl::fill(*fine_, {0.0F, 0.0F, 0.0F, 0.0F});  // a channel of weight 0 must still hold a number
+    }
   }
 
   const double interval = frame.needs.cloud_interval;
   const double time = interval > 0.0 ? frame.view.seconds / interval : 0.0;
   const auto step = static_cast<std::int64_t>(std::floor(time));
+  const double blend = time - static_cast<double>(step);
   const int pair = interval > 0.0 ? 2 : 1;
-  blend_ = time - static_cast<double>(step);
-  const int all_rows = 6 * key.texels;
-  const auto hasty_rows = static_cast<int>(noise_a_frame / (std::int64_t{key.texels} * key.octaves));
+  const int all_rows = CubeBake::rows(*fine_);
 
-  if (frame.effort == Effort::complete || (pair == 2 && picture_of(step) != nullptr && job_step_ == step + 1)) {
-    // What is missing is made at once: all of it, or the rest of the picture that time has caught up with.
+  if (frame.effort == Effort::complete || (channel_of(step) && job_step_ == step + 1)) {
+    // What is missing is made at once: all of it, or the rest of the step that time has caught up with.
     while (advance(frame, step, pair, all_rows)) {
     }
   }
-  const bool have_pair = picture_of(step) != nullptr && picture_of(step + pair - 1) != nullptr;
-  if (have_pair) {
-    // The next picture keeps pace with the blend between these two.
-    const auto due = static_cast<int>((blend_ + 0.1) * all_rows);
-    const int done = job_step_ == step + 2 ? job_.rows_done() : 0;
-    if (pair == 2 && frame.effort == Effort::live && due > done) advance(frame, step, 3, due - done);
-    before_ = picture_of(step)->map.get();
-    after_ = picture_of(step + pair - 1)->map.get();
-  } else {
+  const std::optional<int> before = channel_of(step), after = channel_of(step + pair - 1);
+  coarse_in_use_ = !before || !after;
+  if (coarse_in_use_) {
+    const auto hasty_rows = static_cast<int>(noise_a_frame / (std::int64_t{key.texels} * key.octaves));
     if (frame.effort == Effort::live) advance(frame, step, pair, hasty_rows);
     make_coarse(frame);
+    moments_ = {1.0, 0.0, 0.0};
+    return;
   }
-  coarse_in_use_ = !have_pair;
+  if (pair == 2 && frame.effort == Effort::live) {
+    // The next step keeps pace with the blend between these two.
+    const auto due = static_cast<int>((blend + 0.1) * all_rows);
+    const int done = job_step_ == step + 2 ? job_.rows_done() : 0;
+    if (due > done) advance(frame, step, 3, due - done);
+  }
+  moments_ = glm::dvec3(0.0);
+  moments_[*before] += 1.0 - blend;
+  moments_[*after] += blend;
 }
 
-const CloudsShell::Picture* CloudsShell::picture_of(std::int64_t step) const {
-  const auto found = std::find_if(pictures_.begin(), pictures_.end(), [&](const Picture& p) { return p.step == step; });
-  return found == pictures_.end() ? nullptr : &*found;
+std::optional<int> CloudsShell::channel_of(std::int64_t step) const {
+  for (int i = 0; i < 3; ++i) {
+    if (steps_.at(static_cast<std::size_t>(i)) == step) return i;
+  }
+  return std::nullopt;
 }
 
 bool CloudsShell::advance(const Frame& frame, std::int64_t step, int steps, int rows) {
   std::int64_t missing = step;
-  while (missing < step + steps && picture_of(missing) != nullptr) ++missing;
+  while (missing < step + steps && channel_of(missing)) ++missing;
   if (missing == step + steps) return false;
   if (job_step_ != missing) {
-    const auto free = std::find_if(pictures_.begin(), pictures_.end(), [&](const Picture& p) {
-      return !p.step || *p.step < step || *p.step >= step + steps;
-    });
-    job_picture_ = static_cast<std::size_t>(free - pictures_.begin());
-    free->step.reset();
-    if (!free->map) free->map = std::make_unique<gl::CubeMap>(key_->texels, gl::Format::r16f);
+    const auto free = std::find_if(steps_.begin(), steps_.end(),
+                                   [&](const auto& held) { return !held || *held < step || *held >= step + steps; });
+    job_channel_ = static_cast<int>(free - steps_.begin());
+    free->reset();
     job_step_ = missing;
     job_.restart();
   }
-  Picture& picture = pictures_.at(job_picture_);
-  bake(frame, job_, *picture.map, static_cast<double>(missing) * frame.needs.cloud_interval, rows);
-  if (job_.done(*picture.map)) {
-    picture.step = missing;
+  glColorMask(job_channel_ == 0, job_channel_ == 1, job_channel_ == 2, GL_FALSE);
+  bake(frame, job_, *fine_, static_cast<double>(missing) * frame.needs.cloud_interval, rows);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (job_.done(*fine_)) {
+    steps_.at(static_cast<std::size_t>(job_channel_)) = missing;
     job_step_.reset();
   }
   return true;
 }
 
 void CloudsShell::make_coarse(const Frame& frame) {
-  if (!coarse_) coarse_ = std::make_unique<gl::CubeMap>(coarse_cloud_texels, gl::Format::r16f);
+  if (!coarse_) coarse_ = std::make_unique<gl::CubeMap>(coarse_cloud_texels, gl::Format::rgba16f);
   coarse_bake_.restart();
   bake(frame, coarse_bake_, *coarse_, frame.view.seconds, CubeBake::rows(*coarse_));
-  before_ = after_ = coarse_.get();
-  blend_ = 0.0;
 }
 
 void CloudsShell::bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, double seconds, int rows) {
@@ -114,10 +118,7 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& ma
   noise_evaluations_ += bake.advance(bake_program_, map, rows) * octaves;
 }
 
-void CloudsShell::bind_maps() const {
-  before_->bind(gl::unit_clouds_before);
-  after_->bind(gl::unit_clouds_after);
-}
+void CloudsShell::bind_map() const { (coarse_in_use_ ? coarse_ : fine_)->bind(gl::unit_clouds); }
 
 void CloudsShell::draw(const Frame& frame) {
   const double shell = 1.0 + frame.scene.clouds.height / frame.scene.planet.radius;

@@ -1,10 +1,12 @@
-// Clouds on a sphere from flow noise (Sandahl 18). The noise is computed into cube maps, one for every step of time; two
-// of them are blended while the next is made, a few rows a frame.
+// Clouds on a sphere from flow noise (Sandahl 18). The noise is computed into a cube map for steps of time; two of them
+// are blended while the next is made, a few rows a frame.
 #pragma once
 
 #include <array>
 #include <memory>
 #include <optional>
+
+#include <glm/vec3.hpp>
 
 #include "passes/cube_bake.hpp"
 #include "passes/frame.hpp"
@@ -18,12 +20,12 @@ class CloudsShell {
 
   bool ready();
 
-  // Brings the maps up to the frame's time, as far as its effort allows. Needs the scene's uniform block.
+  // Brings the map up to the frame's time, as far as its effort allows. Needs the scene's uniform block.
   void update(const Frame& frame);
 
-  void bind_maps() const;
-  // Weight of the later of the two maps, 0..1.
-  [[nodiscard]] double blend() const { return blend_; }
+  void bind_map() const;
+  // How the moments in the channels of the map make up the frame's time; their sum is 1.
+  [[nodiscard]] const glm::dvec3& moments() const { return moments_; }
 
   void draw(const Frame& frame);
 
@@ -37,14 +39,12 @@ class CloudsShell {
     int octaves, texels;
     bool operator==(const Key&) const = default;
   };
-  struct Picture {
-    std::unique_ptr<gl::CubeMap> map;
-    std::optional<std::int64_t> step;
-  };
+  // Which step of time each channel of the map holds, once it is finished.
+  using Steps = std::array<std::optional<std::int64_t>, 3>;
 
-  // The finished picture of a step; null if there is none.
-  const Picture* picture_of(std::int64_t step) const;
-  // Makes rows of the first picture missing from step on, of three; returns false if none is missing.
+  // The channel of a step; nothing if it is not there.
+  std::optional<int> channel_of(std::int64_t step) const;
+  // Makes rows of the first step missing from step on; returns false if none of the next few is missing.
   bool advance(const Frame& frame, std::int64_t step, int steps, int rows);
   void bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, double seconds, int rows);
   void make_coarse(const Frame& frame);
@@ -53,16 +53,13 @@ class CloudsShell {
   gl::Program bake_program_{"clouds/bake", "picture/cube_face"};
   gl::Program draw_program_{"clouds/shell"};
   std::optional<Key> key_;
-  std::array<Picture, 3> pictures_;
-  CubeBake job_;
+  std::unique_ptr<gl::CubeMap> fine_, coarse_;
+  Steps steps_;
+  CubeBake job_, coarse_bake_;
   std::optional<std::int64_t> job_step_;
-  std::size_t job_picture_ = 0;
-  std::unique_ptr<gl::CubeMap> coarse_;
-  CubeBake coarse_bake_;
+  int job_channel_ = 0;
   bool coarse_in_use_ = true;
-  const gl::CubeMap* before_ = nullptr;
-  const gl::CubeMap* after_ = nullptr;
-  double blend_ = 0.0;
+  glm::dvec3 moments_{1.0, 0.0, 0.0};
   std::int64_t noise_evaluations_ = 0;
 };
 

@@ -23,7 +23,7 @@ double turned(double speed, double seconds) {
 
 }  // namespace
 
-FrameBlock frame_block(const Frame& frame, double ground_texel_angle, double cloud_blend) {
+FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm::dvec3& cloud_moments) {
   const auto& [scene, view, pose, needs, sea, channel, effort] = frame;
   const double aspect = static_cast<double>(view.width) / view.height;
   const glm::vec3 high(pose.eye);
@@ -46,8 +46,8 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, double clo
   block.sun_light = vector(sun_color * scene.sun.intensity);
   block.ground_map_scale = glm::vec4(ground_texel_angle, needs.pixel_octaves_first, needs.pixel_octaves_end,
                                      needs.water == Water::none ? 0.0 : 1.0);
-  block.cloud_turn =
-      glm::vec4(std::cos(drift), std::sin(drift), cloud_blend, needs.clouds == Clouds::none ? 0.0 : 1.0);
+  block.cloud_turn = glm::vec4(std::cos(drift), std::sin(drift), 0.0, needs.clouds == Clouds::none ? 0.0 : 1.0);
+  block.cloud_moments = vector(cloud_moments);
   // Waves feel the ground where the water is a few of their heights deep.
   const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
   block.sea = glm::vec4(1.0 + level, sea.highest, static_cast<double>(sea.waves.size()), shoal);

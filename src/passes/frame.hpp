@@ -29,6 +29,7 @@ struct FrameBlock {
   glm::vec4 sun_direction, sun_light;
   glm::vec4 ground_map_scale;
   glm::vec4 cloud_turn;
+  glm::vec4 cloud_moments;
   glm::vec4 sea;
   glm::vec4 ripple;
   glm::ivec4 channel;
@@ -44,7 +45,7 @@ struct Frame {
   Effort effort = Effort::complete;
 };
 
-// cloud_blend: of the two maps that the clouds hold, 0..1.
-FrameBlock frame_block(const Frame& frame, double ground_texel_angle, double cloud_blend);
+// cloud_moments: weights of the moments that the map of the clouds holds.
+FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm::dvec3& cloud_moments);
 
 }  // namespace terrella

@@ -16,15 +16,6 @@ namespace {
 
 constexpr float far_down = -1000.0F;  // planet radii: no bottom is seen through so much water
 
-void fill(const gl::CubeMap& map, const float (&value)[4]) {
-  const gl::CubeTarget target;
-  for (int face = 0; face < 6; ++face) {
-    target.begin(map, face, 0, map.side());
-    glClearBufferfv(GL_COLOR, 0, value);
-  }
-  gl::CubeTarget::end();
-}
-
 // Pixels that the planet can cover at the most.
 double planet_pixels(const View& view, const Pose& pose) {
   const double all = static_cast<double>(view.width) * view.height;
@@ -66,9 +57,9 @@ void draw_flat() {
 
 }  // namespace
 
-Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::Format::r16f) {
-  fill(no_ground_, {0.0F, 0.0F, 0.0F, far_down});
-  fill(no_clouds_, {-1.0F, 0.0F, 0.0F, 0.0F});
+Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::Format::rgba16f) {
+  gl::fill(no_ground_, {0.0F, 0.0F, 0.0F, far_down});
+  gl::fill(no_clouds_, {-1.0F, 0.0F, 0.0F, 0.0F});
 }
 
 double Renderer::prepare(const Scene& scene, const View& view) {
@@ -102,8 +93,9 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   begin_light(view, shot);
 
   draw_opaque();
-  if (water_) water_->draw(frame);
+  // The ground first: it costs little where water hides it, and hides the water behind it.
   if (ground_) ground_->draw(frame);
+  if (water_) water_->draw(frame);
   if (shot.channel == Channel::color) {
     draw_veils();
     if (stars_) stars_->draw();
@@ -135,7 +127,7 @@ void Renderer::update_slots(const Frame& frame) {
 
 void Renderer::set_frame_block(const Frame& frame) {
   const double texel = ground_ ? ground_->map_texel_angle() : texel_angle(1);
-  const FrameBlock block = frame_block(frame, texel, clouds_ ? clouds_->blend() : 0.0);
+  const FrameBlock block = frame_block(frame, texel, clouds_ ? clouds_->moments() : glm::dvec3(0.0));
   frame_buffer_.set(gl::block_frame, std::as_bytes(std::span(&block, 1)));
 }
 
@@ -146,10 +138,9 @@ void Renderer::bind_maps() {
     no_ground_.bind(gl::unit_ground);
   }
   if (clouds_) {
-    clouds_->bind_maps();
+    clouds_->bind_map();
   } else {
-    no_clouds_.bind(gl::unit_clouds_before);
-    no_clouds_.bind(gl::unit_clouds_after);
+    no_clouds_.bind(gl::unit_clouds);
   }
 }
 
