@@ -19,12 +19,14 @@ namespace {
 
 constexpr std::size_t frames_timed = 60;
 constexpr double wheel_zoom = 1.18;  // a notch
+constexpr std::ptrdiff_t most_notices = 24;
 
 }  // namespace
 
 Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContext()) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
+  style_panel(static_cast<float>(scale_));
 }
 
 Session::~Session() {
@@ -45,7 +47,10 @@ void Session::context_lost() {
 }
 
 void Session::resize(int width, int height, double scale) {
-  if (scale != scale_ || planet_stale_) style_panel(static_cast<float>(scale));
+  if (scale != scale_) {
+    style_panel(static_cast<float>(scale));
+    if (renderer_) ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the font has another size; made anew when next drawn
+  }
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   scale_ = scale;
@@ -94,7 +99,7 @@ void Session::pointer_button(Button button, bool down) {
   }
   if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) return;
   camera_.stop();
-  const bool look = button != Button::left || ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
+  const bool look = button != Button::left || modifiers_.control || modifiers_.shift;
   drag_ = look ? Drag::look : Drag::turn;
   last_drag_time_ = now_;
 }
@@ -122,6 +127,7 @@ void Session::pinch(double factor, double dx, double dy, double x, double y) {
 }
 
 void Session::key(Key key, bool down, Modifiers modifiers) {
+  modifiers_ = modifiers;
   imgui_input::key(key, down, modifiers);
   panel_frames_ = 3;
   const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
@@ -166,7 +172,7 @@ void Session::pasted(const std::string& text) {
 
 Session::Turn Session::frame(double now, GLuint framebuffer) {
   Turn turn;
-  const double elapsed = now_ > 0.0 ? std::clamp(now - now_, 0.0, 1.0) : 0.0;
+  const double elapsed = at_rest_ ? 0.0 : std::clamp(now - now_, 0.0, 1.0);
   now_ = now;
   if (made_at_ < 0.0) made_at_ = now;
   if (!renderer_) return turn;
@@ -181,6 +187,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   advance_clock(elapsed);
   const bool panel_wanted = panel_shown_ && (panel_frames_ > 0 || planet_stale_);
   if (panel_wanted) run_panel();
+  if (!panel_shown_) ImGui::GetIO().ClearEventsQueue();  // which nobody reads
   const bool refining = frames_ > 0 && !renderer_->settled() && !hand_on_value_;
   if (planet_stale_ || refining || frames_ == 0) {
     draw_planet(now);
@@ -196,7 +203,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   const bool clock_runs = !paused_ && renderer_->needs().moving;
   turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_;
-  if (!turn.again) last_drawn_.reset();  // a pause is not a slow frame
+  at_rest_ = !turn.again;
+  if (at_rest_) last_drawn_.reset();  // a pause is not a slow frame
   return turn;
 }
 
@@ -285,6 +293,7 @@ void Session::scene_was_changed() {
 std::vector<std::string> Session::load_json(const std::string& text) {
   SceneDocument loaded;
   const Issues issues = terrella::load_json(loaded, text);
+  if (!issues.empty() && loaded == SceneDocument{}) return issues.sentences();  // nothing applies: keep what is there
   document_ = loaded;
   camera_.stop();
   scene_was_changed();
@@ -323,7 +332,11 @@ void Session::show_panel(bool shown) {
 }
 
 void Session::add_notices(const std::vector<std::string>& sentences) {
-  notices_.insert(notices_.end(), sentences.begin(), sentences.end());
+  for (const std::string& sentence : sentences) {
+    std::erase(notices_, sentence);  // said again, it is said last
+    notices_.push_back(sentence);
+  }
+  if (std::ssize(notices_) > most_notices) notices_.erase(notices_.begin(), notices_.end() - most_notices);
   panel_frames_ = 3;
 }
 

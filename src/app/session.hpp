@@ -114,11 +114,13 @@ class Session {
   Drag drag_ = Drag::none;
   double last_drag_time_ = 0.0;
   std::set<Key> keys_down_;
+  Modifiers modifiers_;
   bool hand_on_value_ = false;
 
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
   int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
   double now_ = 0.0;
+  bool at_rest_ = true;  // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
   std::optional<double> last_drawn_;
   std::deque<double> frame_ms_;

@@ -47,11 +47,11 @@ void Image::bind(int unit) const {
   glBindTexture(GL_TEXTURE_2D, name());
 }
 
-CubeMap::CubeMap(int side, Format format) : side_(side) {
+CubeMap::CubeMap(int side, Format format, Mips mips) : side_(side) {
   CHECK(side >= 1, side);
   const Layout layout = layout_of(format);
   glBindTexture(GL_TEXTURE_CUBE_MAP, name());
-  set_filters(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  set_filters(GL_TEXTURE_CUBE_MAP, mips == Mips::smooth ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
   std::int64_t texels = 0;
   int level = 0;
   for (int s = side; s >= 1; s /= 2, ++level) {

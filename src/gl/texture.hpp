@@ -30,10 +30,13 @@ class Image {
   CountedTexture counted_;
 };
 
+// How the levels of a mipmap are joined: sharp takes the nearest one, at half the cost.
+enum class Mips { smooth, sharp };
+
 // Six square faces around the planet, with mipmaps. side: texels, a power of two or any other number >= 1.
 class CubeMap {
  public:
-  CubeMap(int side, Format format);
+  CubeMap(int side, Format format, Mips mips = Mips::smooth);
 
   void bind(int unit) const;
   void make_mipmaps() const;

@@ -1,11 +1,78 @@
 #include "panel/panel.hpp"
 
+#include <algorithm>
+
 #include <imgui.h>
 
+#include "base/check.hpp"
+#include "base/text.hpp"
+#include "panel/facts_view.hpp"
+#include "panel/head.hpp"
+#include "panel/parameter_row.hpp"
+#include "panel/sheet.hpp"
+#include "panel/widgets.hpp"
+
 namespace terrella {
+namespace {
 
-PanelWishes Panel::draw(SceneDocument&, const PanelFacts&) { return {}; }
+constexpr float panel_width = 340.0F, panel_margin = 8.0F;  // points
+constexpr float widest_share = 0.9F;                        // of the window
 
-void style_panel(float) {}
+bool begin_window() {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float margin = points(panel_margin);
+  const float width = std::min(points(panel_width), widest_share * display.x);
+  ImGui::SetNextWindowPos({margin, margin});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(margin, display.y - 2.0F * margin)});
+  return ImGui::Begin("panel", nullptr,
+                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+}
+
+// Returns whether the group is open.
+bool group_header(Sheet& sheet, const Group& group) {
+  const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+  const std::string name(group.name);
+  const bool open = ImGui::CollapsingHeader(text_of(group.title, "###", name).c_str(), ImGuiTreeNodeFlags_AllowOverlap);
+  sheet.place(name);
+  tooltip(text_of(group.help, '.'));
+  if (sheet.differs(group)) {
+    ImGui::SameLine(right - reset_button_width(), 0.0F);
+    if (reset_button(("reset " + name).c_str())) sheet.reset(group);
+    sheet.place(name, "/reset");
+    tooltip("The whole group as it is in the preset.");
+  }
+  return open;
+}
+
+void groups_section(Sheet& sheet) {
+  for (const Group& group : groups()) {
+    if (!group_header(sheet, group)) continue;
+    for (const Parameter& parameter : parameters()) {
+      if (parameter.group == group.name) parameter_row(sheet, parameter);
+    }
+    ImGui::Spacing();
+  }
+}
+
+}  // namespace
+
+PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places) {
+  const Preset* preset = find_preset(document.preset);
+  CHECK(preset != nullptr, "a document of the preset ", document.preset);
+  Sheet sheet{document, preset, facts, memory_, places};
+  if (begin_window()) {
+    head_section(sheet);
+    notices_section(sheet);
+    clock_section(sheet);
+    ImGui::Spacing();
+    groups_section(sheet);
+    decisions_section(sheet);
+    statistics_section(sheet);
+  }
+  ImGui::End();
+  return sheet.wishes;
+}
 
 }  // namespace terrella

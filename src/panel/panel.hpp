@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "panel/memory.hpp"
 #include "scene/document.hpp"
 
 namespace terrella {
@@ -36,15 +37,29 @@ struct PanelWishes {
   bool copy_link = false, copy_json = false, save_json = false, open_json = false, save_picture = false;
   bool dismiss_notices = false;
   bool hide = false;
+
+  bool operator==(const PanelWishes&) const = default;
+};
+
+// Where something that can be clicked lies, in pixels: "terrain" (a group's header), "terrain.height" (its slider),
+// "terrain.height/reset", "copy_link", "preset/storm".
+struct WidgetPlace {
+  std::string name;
+  float left, top, right, bottom;
 };
 
 class Panel {
  public:
-  // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window.
-  PanelWishes draw(SceneDocument& document, const PanelFacts& facts);
+  // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window. Where `places` is given, the
+  // place of every widget drawn is added to it.
+  PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
+
+ private:
+  PanelMemory memory_;
 };
 
-// Colours and spacing for a context of ImGui, at a scale of pixels per point. Call when it is made or the scale changes.
+// Colours, spacing and font for the current context of ImGui, at a scale of pixels per point. Call when the context is
+// made or the scale changes, outside of a frame; a texture made of the old font must be made anew.
 void style_panel(float scale);
 
 }  // namespace terrella

@@ -93,8 +93,8 @@ Icosphere make_icosphere(int level) {
 double icosphere_edge(int level) {
   CHECK(level >= 0 && level <= max_icosphere_level, level);
   // Longest edges, computed from the geometry; each level is a little more than half of the one before.
-  constexpr std::array<double, max_icosphere_level + 1> edges = {1.10715, 0.62832, 0.32593, 0.16438, 0.08237,
-                                                                 0.04121, 0.02061, 0.01030, 0.00516};
+  constexpr std::array<double, max_icosphere_level + 1> edges = {
+      1.107149, 0.628319, 0.326366, 0.164834, 0.082627, 0.041340, 0.020673, 0.010337, 0.005169};
   return edges[static_cast<std::size_t>(level)];
 }
 

@@ -116,7 +116,7 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   const double footprint = std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance);
   needs.cloud_octaves = std::max(1, visible_octaves(clouds.frequency, 2.0, clouds.octaves, footprint));
   decide.add("clouds.octaves", needs.cloud_octaves,
-             needs.cloud_octaves == clouds.octaves ? "as asked" : "finer ones are under two texels of their map");
+             needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for" : "finer ones are under two texels of their map");
   // Between two pictures the gradients of the finest layer turn by a radian: blending them loses little (cos 1/2).
   const double fastest = clouds.speed * std::ldexp(1.0, needs.cloud_octaves - 1);
   needs.cloud_interval = fastest > 0.0 ? 1.0 / fastest : 0.0;

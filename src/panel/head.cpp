@@ -1,0 +1,137 @@
+#include "panel/head.hpp"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "base/text.hpp"
+#include "panel/widgets.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr double longest_time = 1e9;  // s; about thirty years
+
+// Right-aligned in its line.
+void continue_at_right(float width) {
+  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width, 0.0F);
+}
+
+void preset_list(Sheet& sheet) {
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const bool open = ImGui::BeginCombo("##presets", sheet.preset->title.c_str(), ImGuiComboFlags_HeightLargest);
+  sheet.place("preset");
+  if (!open) return tooltip(text_of(sheet.preset->about, '.'));
+  for (const Preset& preset : presets()) {
+    if (ImGui::Selectable(preset.title.c_str(), &preset == sheet.preset)) sheet.start_from(preset);
+    sheet.place("preset/", preset.name);
+    tooltip(text_of(preset.about, '.'));
+  }
+  ImGui::EndCombo();
+}
+
+// Buttons of one width, three in a line.
+class ButtonGrid {
+ public:
+  explicit ButtonGrid(Sheet& sheet) : sheet_(sheet) {
+    width_ = (ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  }
+
+  bool button(const char* name, const char* label, const char* help) {
+    if (count_++ % 3 != 0) ImGui::SameLine();
+    ImGui::PushID(name);
+    const bool pressed = ImGui::Button(label, {width_, 0.0F});
+    sheet_.place(name);
+    tooltip(help);
+    ImGui::PopID();
+    return pressed;
+  }
+
+  // Says that it has copied, until the pointer leaves it.
+  bool copy_button(const char* name, const char* label, const char* help) {
+    std::string_view& copied = sheet_.memory.copied;
+    const bool pressed = button(name, copied == name ? "Copied" : label, help);
+    if (copied == name && !ImGui::IsItemHovered()) copied = {};
+    if (pressed) copied = name;
+    return pressed;
+  }
+
+ private:
+  Sheet& sheet_;
+  float width_;
+  int count_ = 0;
+};
+
+// The font has no letters beyond Latin-1.
+std::string in_latin1(std::string text) {
+  static constexpr std::string_view ellipsis = "\u2026";
+  for (std::size_t at = text.find(ellipsis); at != std::string::npos; at = text.find(ellipsis, at)) {
+    text.replace(at, ellipsis.size(), "...");
+  }
+  return text;
+}
+
+}  // namespace
+
+void head_section(Sheet& sheet) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Terrella");
+  continue_at_right(points(70.0F));
+  if (ImGui::Button("Hide (H)", {points(70.0F), 0.0F})) sheet.wishes.hide = true;
+  sheet.place("hide");
+  preset_list(sheet);
+
+  ButtonGrid grid(sheet);
+  PanelWishes& wishes = sheet.wishes;
+  if (grid.copy_button("copy_link", "Copy link", "A link to this very planet, for the clipboard.")) wishes.copy_link = true;
+  if (grid.copy_button("copy_json", "Copy JSON", "This scene as JSON, for the clipboard.")) wishes.copy_json = true;
+  if (grid.button("picture", "Picture", "Saves a picture of the planet.")) wishes.save_picture = true;
+  if (grid.button("open", "Open", "Opens a scene from a JSON file.")) wishes.open_json = true;
+  if (grid.button("save", "Save", "Saves this scene as a JSON file.")) wishes.save_json = true;
+  const bool same = sheet.document.scene == sheet.preset->scene;
+  ImGui::BeginDisabled(same);
+  if (grid.button("reset_all", "Reset all", "Every value as it is in the preset.")) sheet.start_from(*sheet.preset);
+  ImGui::EndDisabled();
+}
+
+void notices_section(Sheet& sheet) {
+  if (sheet.facts.notices.empty()) return;
+  const float button = ImGui::GetFrameHeight();
+  if (!ImGui::BeginTable("notices", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersOuter)) return;
+  ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("dismiss", ImGuiTableColumnFlags_WidthFixed, button);
+  ImGui::TableNextColumn();
+  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  for (const std::string& notice : sheet.facts.notices) ImGui::TextWrapped("%s", in_latin1(notice).c_str());
+  ImGui::TableNextColumn();
+  if (ImGui::Button("x", {button, 0.0F})) sheet.wishes.dismiss_notices = true;
+  sheet.place("dismiss");
+  tooltip("Dismiss.");
+  ImGui::EndTable();
+}
+
+void clock_section(Sheet& sheet) {
+  const bool paused = sheet.facts.paused;
+  if (ImGui::Button(paused ? "Play###pause" : "Pause###pause", {points(64.0F), 0.0F})) sheet.wishes.paused = !paused;
+  sheet.place("pause");
+  tooltip("Stops everything that moves, or lets it go on (Space).");
+
+  ImGui::SameLine();
+  double seconds = sheet.facts.seconds;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - reset_button_width());
+  const double least = 0.0;
+  const auto speed = static_cast<float>(std::max(0.05, 0.002 * seconds));
+  if (ImGui::DragScalar("##seconds", ImGuiDataType_Double, &seconds, speed, &least, &longest_time, "%.2f s",
+                        ImGuiSliderFlags_AlwaysClamp)) {
+    sheet.wishes.seconds = seconds;
+  }
+  sheet.place("seconds");
+  tooltip("The planet's time. Drag it to and fro; Ctrl+click to type.");
+  if (sheet.facts.seconds == 0.0) return;
+  continue_at_right(reset_button_width());
+  if (reset_button("to_zero")) sheet.wishes.seconds = 0.0;
+  sheet.place("seconds/reset");
+  tooltip("Back to the beginning.");
+}
+
+}  // namespace terrella

@@ -1,0 +1,15 @@
+// The top of the panel: what concerns the scene as a whole.
+#pragma once
+
+#include "panel/sheet.hpp"
+
+namespace terrella {
+
+// Title, list of presets, buttons.
+void head_section(Sheet& sheet);
+// Sentences of bad input, if there are any.
+void notices_section(Sheet& sheet);
+// Pause, and the planet's time.
+void clock_section(Sheet& sheet);
+
+}  // namespace terrella

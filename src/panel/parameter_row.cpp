@@ -1,0 +1,172 @@
+#include "panel/parameter_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "base/text.hpp"
+#include "panel/quantity.hpp"
+#include "panel/slider_range.hpp"
+#include "panel/typing.hpp"
+#include "panel/widgets.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr float label_width = 124.0F;  // points
+constexpr double widest_slider = 5000;  // of whole numbers; beyond, a pixel would skip too many
+
+// "ridge_sharpness" as "Ridge sharpness"
+std::string label_of(const Parameter& parameter) {
+  std::string label(parameter.name);
+  std::replace(label.begin(), label.end(), '_', ' ');
+  if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+  return label;
+}
+
+double number_of(const Sheet& sheet, const Parameter& parameter) {
+  const Value value = parameter.get(sheet.document.scene);
+  const auto* whole = std::get_if<int>(&value);
+  return whole != nullptr ? *whole : std::get<double>(value);
+}
+
+void slider(Sheet& sheet, const Parameter& parameter, float width) {
+  const double value = number_of(sheet, parameter);
+  const SliderRange range = slider_range(parameter, sheet.document.scene);
+  const auto wanted = bar("value", range.position_of(value), quantity_text(parameter, value), width);
+  sheet.place(parameter.path);
+  if (!wanted) return;
+  // A press with Ctrl means to type; it must not move the value first.
+  if (ImGui::GetIO().KeyCtrl && ImGui::IsItemActivated()) {
+    start_typing(sheet.memory.typing, parameter.path, quantity_to_edit(parameter, value));
+  } else if (sheet.memory.typing.path.empty()) {
+    sheet.set(parameter, range.value_at(*wanted));
+  }
+}
+
+void number_field(Sheet& sheet, const Parameter& parameter) {
+  const double value = number_of(sheet, parameter);
+  const auto typed = typing_field(sheet.memory.typing);
+  sheet.place(parameter.path);
+  if (!typed) return;
+  if (const auto number = read_quantity(*typed, parameter, value)) sheet.set(parameter, *number);
+}
+
+// For seeds: what counts is to get to the next one.
+void stepper(Sheet& sheet, const Parameter& parameter) {
+  int value = std::get<int>(parameter.get(sheet.document.scene));
+  if (ImGui::InputInt("##value", &value, 1, 100)) {
+    sheet.set(parameter, std::clamp<double>(value, parameter.min, parameter.max));
+  }
+  sheet.place(parameter.path);
+}
+
+void number_widget(Sheet& sheet, const Parameter& parameter, float width) {
+  if (sheet.memory.typing.path == parameter.path) return number_field(sheet, parameter);
+  if (parameter.type == Type::Int && parameter.max - parameter.min > widest_slider) return stepper(sheet, parameter);
+  slider(sheet, parameter, width);
+}
+
+void checkbox(Sheet& sheet, const Parameter& parameter) {
+  bool value = std::get<bool>(parameter.get(sheet.document.scene));
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, points(1.0F));
+  if (ImGui::Checkbox("##value", &value)) sheet.set(parameter, value);
+  ImGui::PopStyleVar();
+  sheet.place(parameter.path);
+}
+
+std::uint8_t to_byte(float channel) {
+  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(channel, 0.0F, 1.0F)));
+}
+
+void color_field(Sheet& sheet, const Parameter& parameter) {
+  const Color color = std::get<Color>(parameter.get(sheet.document.scene));
+  float rgb[] = {static_cast<float>(color.r) / 255.0F, static_cast<float>(color.g) / 255.0F,
+                 static_cast<float>(color.b) / 255.0F};
+  const ImGuiColorEditFlags flags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel |
+                                    ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoTooltip |
+                                    ImGuiColorEditFlags_NoDragDrop;
+  if (ImGui::ColorEdit3("##value", rgb, flags)) {
+    sheet.set(parameter, Color{to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2])});
+  }
+  sheet.place(parameter.path);
+}
+
+void choice_list(Sheet& sheet, const Parameter& parameter) {
+  const std::string chosen = std::get<std::string>(parameter.get(sheet.document.scene));
+  const bool open = ImGui::BeginCombo("##value", chosen.c_str());
+  sheet.place(parameter.path);
+  if (!open) return;
+  for (const std::string_view choice : parameter.choices) {
+    const std::string name(choice);
+    if (ImGui::Selectable(name.c_str(), name == chosen)) sheet.set(parameter, name);
+    sheet.place(parameter.path, "/" + name);
+  }
+  ImGui::EndCombo();
+}
+
+void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
+  ImGui::SetNextItemWidth(width);
+  switch (parameter.type) {
+    case Type::Float:
+    case Type::Int:
+      number_widget(sheet, parameter, width);
+      break;
+    case Type::Bool:
+      checkbox(sheet, parameter);
+      break;
+    case Type::Color:
+      color_field(sheet, parameter);
+      break;
+    case Type::Choice:
+      choice_list(sheet, parameter);
+      break;
+  }
+  // Nobody drags while typing.
+  if (ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput) sheet.wishes.dragging = true;
+}
+
+bool is_number(const Parameter& parameter) { return parameter.type == Type::Float || parameter.type == Type::Int; }
+
+std::string text_of_value(const Parameter& parameter, const Scene& scene) {
+  const std::string text = to_text(parameter.get(scene));
+  return parameter.unit.empty() ? text : text_of(text, ' ', parameter.unit);
+}
+
+void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
+  begin_side_tooltip();
+  ImGui::TextWrapped("%s.", std::string(parameter.help).c_str());
+  ImGui::Spacing();
+  quiet_text(text_of(parameter.path, " = ", text_of_value(parameter, sheet.document.scene)));
+  if (differs) quiet_text(text_of("In the preset: ", text_of_value(parameter, sheet.preset->scene)));
+  if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), ". Ctrl+click to type."));
+  end_side_tooltip();
+}
+
+}  // namespace
+
+void parameter_row(Sheet& sheet, const Parameter& parameter) {
+  const bool differs = sheet.differs(parameter);
+  ImGui::PushID(parameter.path.data(), parameter.path.data() + parameter.path.size());
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(differs ? ImGuiCol_CheckMark : ImGuiCol_Text));
+  ImGui::TextUnformatted(label_of(parameter).c_str());
+  ImGui::PopStyleColor();
+  ImGui::SameLine(ImGui::GetCursorPosX() + points(label_width), 0.0F);
+  value_widget(sheet, parameter, width - points(label_width) - reset_button_width());
+  if (differs) {
+    ImGui::SameLine(ImGui::GetCursorPosX() + width - reset_button_width(), 0.0F);
+    if (reset_button("reset")) sheet.reset(parameter);
+    sheet.place(parameter.path, "/reset");
+  }
+
+  const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to)) explain(sheet, parameter, differs);
+  ImGui::PopID();
+}
+
+}  // namespace terrella

@@ -1,0 +1,83 @@
+// How the panel looks: dark, quiet, and legible over whatever the planet shows behind it.
+#include <cmath>
+
+#include <imgui.h>
+
+#include "panel/panel.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr float font_size = 13.0F;  // points, and the size for which Dear ImGui's font was drawn
+
+// What lies under text, lies nearly opaque: contrast holds over white clouds and black space alike.
+constexpr float window_opacity = 0.9F;
+
+ImVec4 rgb(unsigned hex, float opacity = 1.0F) {
+  const auto channel = [&](unsigned shift) { return static_cast<float>(hex >> shift & 0xffu) / 255.0F; };
+  return {channel(16), channel(8), channel(0), opacity};
+}
+
+void set_colors(ImVec4* colors) {
+  const ImVec4 ground = rgb(0x12161c), field = rgb(0x242d38), field_lit = rgb(0x2f3b49), fill = rgb(0x2c5f92),
+               fill_lit = rgb(0x34689b), line = rgb(0x6f7f8f), accent = rgb(0x7cc0ff);
+  colors[ImGuiCol_Text] = rgb(0xe8edf2);
+  colors[ImGuiCol_TextDisabled] = rgb(0xb0bcc8);
+  colors[ImGuiCol_TextSelectedBg] = fill;
+  colors[ImGuiCol_WindowBg] = {ground.x, ground.y, ground.z, window_opacity};
+  colors[ImGuiCol_PopupBg] = {ground.x, ground.y, ground.z, 0.97F};
+  colors[ImGuiCol_Border] = line;
+  colors[ImGuiCol_FrameBg] = field;
+  colors[ImGuiCol_FrameBgHovered] = colors[ImGuiCol_FrameBgActive] = field_lit;
+  colors[ImGuiCol_CheckMark] = accent;
+  colors[ImGuiCol_SliderGrab] = fill;
+  colors[ImGuiCol_SliderGrabActive] = fill_lit;
+  colors[ImGuiCol_Button] = rgb(0x2b3744);
+  colors[ImGuiCol_ButtonHovered] = rgb(0x394959);
+  colors[ImGuiCol_ButtonActive] = fill;
+  colors[ImGuiCol_Header] = rgb(0x1d252e);
+  colors[ImGuiCol_HeaderHovered] = field_lit;
+  colors[ImGuiCol_HeaderActive] = fill;
+  colors[ImGuiCol_ScrollbarBg] = rgb(0x000000, 0.0F);
+  colors[ImGuiCol_ScrollbarGrab] = rgb(0x5b6a79);
+  colors[ImGuiCol_ScrollbarGrabHovered] = colors[ImGuiCol_ScrollbarGrabActive] = rgb(0x7b8b9b);
+  colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = line;
+}
+
+void set_font(float scale) {
+  ImFontConfig config;
+  config.SizePixels = std::round(font_size * scale);
+  config.OversampleH = config.OversampleV = 1;
+  config.PixelSnapH = true;
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  fonts.Clear();
+  fonts.AddFontDefault(&config);
+}
+
+}  // namespace
+
+void style_panel(float scale) {
+  ImGuiStyle style;
+  ImGui::StyleColorsDark(&style);
+  set_colors(style.Colors);
+  style.WindowPadding = {10.0F, 10.0F};
+  style.FramePadding = {6.0F, 3.0F};
+  style.ItemSpacing = {6.0F, 4.0F};
+  style.ItemInnerSpacing = {4.0F, 4.0F};
+  style.CellPadding = {6.0F, 4.0F};
+  style.WindowRounding = 6.0F;
+  style.PopupRounding = 4.0F;
+  style.FrameRounding = 3.0F;
+  style.ScrollbarSize = 11.0F;
+  style.ScrollbarRounding = 6.0F;
+  style.WindowBorderSize = 0.0F;
+  style.PopupBorderSize = 1.0F;
+  style.DisabledAlpha = 0.55F;
+  style.ScaleAllSizes(scale);
+  // The session draws only what has changed: a tooltip that waits would never come.
+  style.HoverDelayShort = style.HoverDelayNormal = style.HoverStationaryDelay = 0.0F;
+  ImGui::GetStyle() = style;
+  set_font(scale);
+}
+
+}  // namespace terrella

@@ -1,0 +1,102 @@
+#include "panel/widgets.hpp"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+namespace terrella {
+namespace {
+
+constexpr float default_font_size = 13.0F;
+constexpr float tooltip_width = 260.0F;  // points
+constexpr float bar_inset = 4.0F;        // points, so that both ends can be hit
+
+bool hand_is_busy() { return ImGui::IsAnyItemActive(); }
+
+void draw_bar(ImVec2 from, ImVec2 to, double position, const std::string& text) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  const float inset = points(bar_inset);
+  const float x = from.x + inset + static_cast<float>(position) * (to.x - from.x - 2.0F * inset);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(lit ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), rounding);
+  list.AddRectFilled(from, {x, to.y}, ImGui::GetColorU32(lit ? ImGuiCol_SliderGrabActive : ImGuiCol_SliderGrab), rounding,
+                     ImDrawFlags_RoundCornersLeft);
+  // The bright line shows the position, and lies where it does not cross the text.
+  list.AddRectFilled({from.x, to.y - points(2.0F)}, {x, to.y}, ImGui::GetColorU32(ImGuiCol_CheckMark), points(1.0F));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at{std::max(from.x + inset, (from.x + to.x - size.x) * 0.5F), (from.y + to.y - size.y) * 0.5F};
+  const ImVec4 clip{from.x, from.y, to.x, to.y};
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {static_cast<float>(static_cast<int>(at.x)), at.y},
+               ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr, 0.0F, &clip);
+}
+
+// Three quarters of a circle, with a head at the end where it has come back to.
+void draw_turn_back(ImVec2 centre, float radius, unsigned color) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  constexpr float start = -2.2F, end = 2.4F;  // rad, clockwise from the right
+  list.PathArcTo(centre, radius, start, end, 16);
+  list.PathStroke(color, 0, points(1.5F));
+  const ImVec2 tail{centre.x - 0.59F * radius, centre.y - 0.81F * radius};
+  const float head = radius * 0.75F;
+  list.AddTriangleFilled({tail.x - head, tail.y + head * 0.9F}, {tail.x - head * 0.7F, tail.y - head},
+                         {tail.x + head, tail.y + head * 0.5F}, color);
+}
+
+}  // namespace
+
+float points(float count) { return count * ImGui::GetFontSize() / default_font_size; }
+
+std::optional<double> bar(const char* id, double position, const std::string& text, float width) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
+  ImGui::InvisibleButton(id, {width, to.y - from.y});
+  draw_bar(from, to, position, text);
+  if (!ImGui::IsItemActive() || !ImGui::IsMousePosValid()) return std::nullopt;
+  const float inset = points(bar_inset);
+  const double wanted = (ImGui::GetIO().MousePos.x - from.x - inset) / (width - 2.0F * inset);
+  return std::clamp(wanted, 0.0, 1.0);
+}
+
+float reset_button_width() { return ImGui::GetFrameHeight(); }
+
+bool reset_button(const char* id) {
+  const float side = reset_button_width();
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id, {side, side});
+  const unsigned color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_CheckMark);
+  draw_turn_back({from.x + side * 0.5F, from.y + side * 0.5F}, side * 0.24F, color);
+  return pressed;
+}
+
+void quiet_text(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void begin_side_tooltip() {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + points(6.0F);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float y = ImGui::GetIO().MousePos.y;
+  // On a narrow window it goes where Dear ImGui sees fit.
+  if (right + points(tooltip_width) < display.x) {
+    ImGui::SetNextWindowPos({right, y}, ImGuiCond_Always, {0.0F, y > display.y * 0.6F ? 1.0F : 0.0F});
+  }
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(points(tooltip_width));
+}
+
+void end_side_tooltip() {
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void tooltip(const std::string& text) {
+  if (!ImGui::IsItemHovered() || hand_is_busy()) return;
+  begin_side_tooltip();
+  ImGui::TextWrapped("%s", text.c_str());
+  end_side_tooltip();
+}
+
+}  // namespace terrella

@@ -1,0 +1,31 @@
+// Small widgets that Dear ImGui does not have.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace terrella {
+
+// Pixels of a length in points.
+float points(float count);
+
+// A bar that is filled up to a position, 0..1, with a text in it. Gives the position to which the hand drags it.
+std::optional<double> bar(const char* id, double position, const std::string& text, float width);
+
+// A square button with an arrow that turns back.
+bool reset_button(const char* id);
+// How wide that is.
+float reset_button_width();
+
+// A line of text in the colour of what matters less, wrapped.
+void quiet_text(const std::string& text);
+
+// Opens a tooltip beside the panel, where it hides none of its sliders, at the height of the pointer. Close it with
+// end_side_tooltip().
+void begin_side_tooltip();
+void end_side_tooltip();
+
+// A tooltip of one sentence for the widget drawn last, while the pointer is on it.
+void tooltip(const std::string& text);
+
+}  // namespace terrella

@@ -1,0 +1,280 @@
+// Pictures as the program draws them, small.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "app/still.hpp"
+#include "native/egl_context.hpp"
+#include "scene/choices.hpp"
+#include "scene/parameters.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+StillOptions small(int width = 160, int height = 90) {
+  StillOptions options;
+  options.width = width;
+  options.height = height;
+  return options;
+}
+
+// Peak signal to noise ratio, dB, of values whose peak is 1.
+double psnr(const Image& a, const Image& b) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const double d = double{a.pixels[i]} - double{b.pixels[i]};
+    squares += d * d;
+  }
+  return squares == 0.0 ? 200.0 : -10.0 * std::log10(squares / static_cast<double>(a.pixels.size()));
+}
+
+double largest_difference(const Image& a, const Image& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) largest = std::max(largest, std::fabs(double{a.pixels[i]} - double{b.pixels[i]}));
+  return largest;
+}
+
+double mean(const Image& image) {
+  double sum = 0.0;
+  for (const float value : image.pixels) sum += double{value};
+  return sum / static_cast<double>(image.pixels.size());
+}
+
+bool all_finite(const Image& image) {
+  return std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return std::isfinite(v); });
+}
+
+void set_number(const Field& field, double value) {
+  if (std::holds_alternative<double*>(field)) *std::get<double*>(field) = value;
+  if (std::holds_alternative<int*>(field)) *std::get<int*>(field) = static_cast<int>(value);
+}
+
+// A renderer with its own context, for one kind of OpenGL.
+struct Studio {
+  explicit Studio(Api api = Api::core) : context(std::move(*EglContext::make(api))) {}
+  std::unique_ptr<EglContext> context;
+  Renderer renderer;
+};
+
+TEST(Pictures, AreTheSameFromDesktopAndEmbeddedOpenGl) {
+  for (const char* name : {"temperate", "storm", "moon", "lava"}) {
+    const Scene& scene = find_preset(name)->scene;
+    Image core, es;
+    {
+      Studio studio(Api::core);
+      core = take_picture(studio.renderer, scene, small());
+    }
+    {
+      Studio studio(Api::es);
+      es = take_picture(studio.renderer, scene, small());
+    }
+    EXPECT_LE(largest_difference(core, es), 2.0 / 255.0) << name;
+  }
+}
+
+TEST(Pictures, OfEveryPresetShowAPlanetAndAreFinite) {
+  Studio studio;
+  for (const Preset& preset : presets()) {
+    const Image light = take_measurement(studio.renderer, preset.scene, small(), Channel::color);
+    EXPECT_TRUE(all_finite(light)) << preset.name;
+    EXPECT_GT(mean(light), 0.01) << preset.name;
+    const Image distance = take_measurement(studio.renderer, preset.scene, small(), Channel::distance);
+    EXPECT_TRUE(std::isfinite(distance.at(80, preset.name == "dusk" ? 80 : 60)[0])) << preset.name;
+  }
+}
+
+TEST(Pictures, AreTheSameWhenDrawnAgainAndInAnyOrder) {
+  Studio studio;
+  const Scene& scene = find_preset("temperate")->scene;
+  const Image first = take_picture(studio.renderer, scene, small());
+  StillOptions later = small();
+  later.seconds = 31.4;
+  take_picture(studio.renderer, find_preset("storm")->scene, later);
+  EXPECT_EQ(largest_difference(first, take_picture(studio.renderer, scene, small())), 0.0);
+}
+
+TEST(Pictures, SettleFromCoarseToTheCompleteOne) {
+  const Scene& scene = find_preset("temperate")->scene;
+  View view;
+  view.width = 160;
+  view.height = 90;
+  Studio studio;
+  const auto light = [&](Effort effort) {
+    studio.renderer.draw(scene, view, {Channel::color, effort, true});
+    return studio.renderer.read_light();
+  };
+  const std::vector<float> coarse = light(Effort::live);
+  EXPECT_FALSE(studio.renderer.settled());
+  int frames = 0;
+  std::vector<float> settled = coarse;
+  for (; frames < 200 && !studio.renderer.settled(); ++frames) settled = light(Effort::live);
+  EXPECT_TRUE(studio.renderer.settled());
+  EXPECT_GT(frames, 3);
+  Studio other;
+  other.renderer.draw(scene, view, {Channel::color, Effort::complete, true});
+  EXPECT_EQ(settled, other.renderer.read_light());
+  EXPECT_NE(settled, coarse);
+}
+
+TEST(Pictures, OfASettledPlanetComputeNoNoiseForTheGround) {
+  Scene scene = find_preset("moon")->scene;
+  View view;
+  view.width = 160;
+  view.height = 90;
+  Studio studio;
+  studio.renderer.draw(scene, view, {});
+  EXPECT_GT(studio.renderer.stats().noise_evaluations, 1'000'000);
+  for (int i = 0; i < 3; ++i) {
+    scene.camera.longitude += 1.0;
+    studio.renderer.draw(scene, view, {});
+    EXPECT_EQ(studio.renderer.stats().noise_evaluations, 0);
+  }
+}
+
+TEST(Pictures, DoNotChangeWhenAllLengthsAreScaled) {
+  Studio studio;
+  const Scene& scene = find_preset("temperate")->scene;
+  Scene large = scene;
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.unit == "m" || parameter.unit == "m/s") *std::get<double*>(parameter.field(large)) *= 1048576.0;
+  }
+  const Image a = take_picture(studio.renderer, scene, small()), b = take_picture(studio.renderer, large, small());
+  EXPECT_LE(largest_difference(a, b), 1.0 / 255.0);
+}
+
+TEST(Pictures, ConvergeAsTheMeshAndTheMapsGrowFiner) {
+  Studio studio;
+  Scene scene = find_preset("temperate")->scene;
+  scene.clouds.model = choice("clouds.model", "none");
+  const auto at = [&](double pixel_error, int texels) {
+    scene.quality.pixel_error = pixel_error;
+    scene.quality.ground_texels = texels;
+    return take_measurement(studio.renderer, scene, small(), Channel::color);
+  };
+  const Image reference = at(0.1, 1024);
+  const double coarse = psnr(at(16.0, 128), reference), middle = psnr(at(4.0, 256), reference), fine = psnr(at(0.5, 512), reference);
+  EXPECT_GT(middle, coarse);
+  EXPECT_GT(fine, middle);
+  EXPECT_GT(fine, 30.0);
+}
+
+TEST(Pictures, WithManySamplesAgreeWithOneSample) {
+  Studio studio;
+  Scene scene = find_preset("moon")->scene;
+  StillOptions many = small();
+  many.samples = 3;
+  const Image one = take_picture(studio.renderer, scene, small()), nine = take_picture(studio.renderer, scene, many);
+  EXPECT_GT(psnr(one, nine), 28.0);
+  EXPECT_GT(largest_difference(one, nine), 0.0);
+}
+
+TEST(Distance, IsThatOfTheSphereWhereTheGroundIsFlat) {
+  Studio studio;
+  Scene scene;
+  scene.terrain.height = 0.0;
+  scene.water.model = choice("water.model", "none");
+  scene.planet.radius = 2000.0;
+  scene.camera.altitude = 3000.0;
+  const StillOptions options = small();
+  const Image distance = take_measurement(studio.renderer, scene, options, Channel::distance);
+  const Image height = take_measurement(studio.renderer, scene, options, Channel::height);
+  const Image normal = take_measurement(studio.renderer, scene, options, Channel::normal);
+  View view;
+  view.width = options.width;
+  view.height = options.height;
+  const Pose pose = pose_of(scene, view);
+  int hits = 0;
+  for (int y = 0; y < options.height; ++y) {
+    for (int x = 0; x < options.width; ++x) {
+      const glm::dvec3 ray = ray_through(pose, view, {x + 0.5, y + 0.5});
+      const double along = -glm::dot(pose.eye, ray);
+      const glm::dvec3 foot = pose.eye + along * ray;
+      const double half2 = 1.0 - glm::dot(foot, foot);
+      if (half2 < -0.01) {
+        EXPECT_EQ(distance.at(x, y)[0], std::numeric_limits<float>::infinity());
+        EXPECT_EQ(normal.at(x, y)[0], 0.0F);
+      } else if (half2 > 0.05) {
+        ++hits;
+        const glm::dvec3 place = pose.eye + (along - std::sqrt(half2)) * ray;
+        EXPECT_NEAR(distance.at(x, y)[0] / 2000.0, along - std::sqrt(half2), 3e-3);
+        EXPECT_NEAR(height.at(x, y)[0] / 2000.0, 0.0, 2e-3);
+        const float* n = normal.at(x, y);
+        EXPECT_LT(glm::distance(glm::dvec3(n[0], n[1], n[2]), place), 5e-3);
+      }
+    }
+  }
+  EXPECT_GT(hits, 500);
+}
+
+TEST(Extremes, OfEveryParameterGiveFinitePictures) {
+  Studio studio;
+  StillOptions tiny = small(16, 9);
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.type != Type::Float && parameter.type != Type::Int) continue;
+    if (parameter.path == "quality.ground_texels" || parameter.path == "quality.cloud_texels" || parameter.path == "quality.pixel_error") continue;
+    for (const double end : {parameter.min, parameter.max}) {
+      Scene scene;
+      scene.quality.ground_texels = 64;
+      scene.quality.cloud_texels = 32;
+      scene.quality.pixel_error = 16.0;
+      set_number(parameter.field(scene), end);
+      const Image light = take_measurement(studio.renderer, scene, tiny, Channel::color);
+      EXPECT_TRUE(all_finite(light)) << parameter.path << " = " << end;
+    }
+  }
+}
+
+TEST(Extremes, AtRandomGiveFinitePictures) {
+  Studio studio;
+  std::mt19937 random(81U);
+  StillOptions tiny = small(16, 9);
+  for (int i = 0; i < 60; ++i) {
+    Scene scene;
+    for (const Parameter& parameter : parameters()) {
+      if (parameter.group == "quality" || random() % 3U != 0U) continue;
+      const Field field = parameter.field(scene);
+      const double end = random() % 2U == 0U ? parameter.min : parameter.max;
+      set_number(field, end);
+      if (std::holds_alternative<bool*>(field)) *std::get<bool*>(field) = random() % 2U == 0U;
+    }
+    scene.quality.ground_texels = 64;
+    scene.quality.cloud_texels = 32;
+    scene.quality.pixel_error = 16.0;
+    tiny.seconds = i % 2 == 0 ? 0.0 : 1e9;
+    EXPECT_TRUE(all_finite(take_measurement(studio.renderer, scene, tiny, Channel::color))) << i;
+  }
+}
+
+TEST(Memory, DoesNotGrow) {
+  const Scene& scene = find_preset("temperate")->scene;
+  Studio studio;
+  View view;
+  view.width = 32;
+  view.height = 18;
+  std::int64_t after_warming_up = 0;
+  for (int i = 0; i < 400; ++i) {
+    view.seconds = i * 0.1;
+    studio.renderer.draw(scene, view, {Channel::color, Effort::live, false});
+    if (i == 100) after_warming_up = studio.renderer.stats().gpu_bytes;
+  }
+  EXPECT_EQ(studio.renderer.stats().gpu_bytes, after_warming_up);
+}
+
+TEST(Memory, OfTheDefaultSceneIsWithinItsBudget) {
+  Studio studio;
+  View view;  // 1280x720
+  studio.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});
+  for (int i = 0; i < 40; ++i) studio.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});
+  EXPECT_LE(studio.renderer.stats().gpu_bytes, 48'000'000);
+  EXPECT_LE(studio.renderer.stats().programs.size(), 12U);
+}
+
+}  // namespace
+}  // namespace terrella

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include "formulas/formulas.hpp"
+#include "laws/random_places.hpp"
+
+namespace terrella {
+namespace {
+
+using test::Places;
+
+f64::Air air() {
+  f64::Air a;
+  a.top = 1.14;
+  a.density = 0.85;
+  a.exponent = 3.2;
+  a.wrap = 0.22;
+  a.color = glm::dvec3(0.2, 0.4, 1.0);
+  a.dusk = glm::dvec3(1.0, 0.3, 0.1);
+  return a;
+}
+
+// The cosine with which a ray that passes the centre at a distance meets the shell's edge.
+double cosine_at(double distance, double top) { return std::sqrt(std::fmax(0.0, 1.0 - distance * distance / (top * top))); }
+
+TEST(FresnelAlpha, IsClearHeadOnAndOpaqueAlongTheEdge) {
+  EXPECT_EQ(f64::fresnel_alpha(1.0, 3.0), 0.0);
+  EXPECT_EQ(f64::fresnel_alpha(0.0, 3.0), 1.0);
+  EXPECT_EQ(f64::fresnel_alpha(1.0, 0.0), 1.0);  // 0^0 is 1
+  EXPECT_EQ(f64::fresnel_alpha(1.0000003, 2.5), 0.0);
+  EXPECT_EQ(f64::fresnel_alpha(-0.2, 2.5), 1.0);
+}
+
+TEST(AirPath, EndsOnTheShell) {
+  Places places(51U);
+  for (int i = 0; i < 20'000; ++i) {
+    const glm::dvec3 eye = places.on_sphere() * places.between(1.0, 5.0), ray = places.on_sphere();
+    const f64::AirPath path = f64::air_path(eye, ray, 1.14);
+    ASSERT_GE(path.enter, 0.0);
+    ASSERT_GE(path.leave, path.enter);
+    if (path.leave > path.enter) {
+      ASSERT_NEAR(glm::length(eye + path.leave * ray), 1.14, 1e-12);
+      if (path.enter > 0.0) {
+        ASSERT_NEAR(glm::length(eye + path.enter * ray), 1.14, 1e-12);
+      }
+      const glm::dvec3 edge = glm::normalize(eye + path.leave * ray);
+      ASSERT_NEAR(path.cosine, glm::dot(edge, ray), 1e-9);
+    }
+  }
+}
+
+TEST(AirOpacity, IsGreatestAtTheLimbAndNothingAtItsOuterEdge) {
+  const f64::Air a = air();
+  EXPECT_NEAR(f64::air_opacity(cosine_at(1.0, a.top), a), a.density, 1e-9);
+  EXPECT_NEAR(f64::air_opacity(cosine_at(a.top, a.top), a), 0.0, 1e-9);
+  EXPECT_LT(f64::air_opacity(cosine_at(a.top - 1e-4, a.top), a), 1e-3);
+  double before = 0.0;
+  for (double distance = 0.0; distance <= 1.0; distance += 0.01) {
+    const double opacity = f64::air_opacity(cosine_at(distance, a.top), a);
+    EXPECT_GE(opacity, before - 1e-12);
+    before = opacity;
+  }
+  before = a.density;
+  for (double distance = 1.0; distance <= a.top; distance += 0.001) {
+    const double opacity = f64::air_opacity(cosine_at(distance, a.top), a);
+    EXPECT_LE(opacity, before + 1e-12);
+    before = opacity;
+  }
+}
+
+TEST(AirOpacity, OfAPartGrowsWithThePartUpToTheWhole) {
+  const f64::Air a = air();
+  const double cosine = cosine_at(0.9, a.top);
+  EXPECT_EQ(f64::air_opacity_before(0.6, cosine, 0.0, a.top), 0.0);
+  double before = 0.0;
+  for (double path = 0.0; path < 3.0; path += 0.01) {
+    const double opacity = f64::air_opacity_before(0.6, cosine, path, a.top);
+    EXPECT_GE(opacity, before);
+    before = opacity;
+  }
+  EXPECT_NEAR(before, 0.6, 1e-9);
+}
+
+TEST(AirOpacity, OfAPartChangesSmoothlyOverTheLimb) {
+  const f64::Air a = air();
+  const auto opacity = [&](double distance) {
+    const double cosine = cosine_at(distance, a.top);
+    return f64::air_opacity_before(f64::air_opacity(cosine, a), cosine, 0.3, a.top);
+  };
+  EXPECT_NEAR(opacity(1.0 - 1e-7), opacity(1.0 + 1e-7), 1e-3);
+}
+
+TEST(AirLight, IsDarkInTheNightAndTheAirsColorByDay) {
+  const f64::Air a = air();
+  const glm::dvec3 sun(1.0, 0.0, 0.0);
+  EXPECT_EQ(f64::air_light(glm::dvec3(-1.0, 0.0, 0.0), sun, a), glm::dvec3(0.0));
+  const glm::dvec3 noon = f64::air_light(sun, sun, a);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(noon[c], a.color[c], 1e-12);
+  const glm::dvec3 dusk = f64::air_light(glm::normalize(glm::dvec3(0.01, 1.0, 0.0)), sun, a);
+  EXPECT_GT(dusk.x / dusk.z, 2.0 * noon.x / noon.z);  // warmer
+}
+
+}  // namespace
+}  // namespace terrella

@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "formulas/formulas.hpp"
+
+namespace terrella {
+namespace {
+
+TEST(ToneMap, RisesFromZeroAndNeverPassesOne) {
+  for (int curve = 0; curve < 3; ++curve) {
+    EXPECT_EQ(f64::tone_map(glm::dvec3(0.0), curve), glm::dvec3(0.0));
+    double before = -1.0;
+    for (double x = 1e-6; x < 1e6; x *= 1.3) {
+      const double y = f64::tone_map(glm::dvec3(x), curve).x;
+      EXPECT_GE(y, before);
+      EXPECT_LE(y, 1.0);
+      before = y;
+    }
+  }
+}
+
+TEST(ToneMap, StandsTheBrightestLightThatHalfFloatsHold) {
+  EXPECT_TRUE(std::isfinite(f32::tone_map(glm::vec3(65504.0F), 0).x));
+  EXPECT_TRUE(std::isfinite(f32::tone_map(glm::vec3(1e30F), 0).x));
+}
+
+TEST(Srgb, IsTheStandardsCurve) {
+  EXPECT_NEAR(f64::srgb_encode(0.0), 0.0, 1e-12);
+  EXPECT_NEAR(f64::srgb_encode(1.0), 1.0, 1e-12);
+  EXPECT_NEAR(f64::srgb_encode(0.214041), 0.5, 1e-5);
+  EXPECT_NEAR(f64::srgb_encode(0.0031308), 0.04045, 1e-4);
+}
+
+TEST(Dither, IsBalancedAndWithinOneStep) {
+  double sum = 0.0;
+  std::vector<int> histogram(20);
+  const int side = 400;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const double d = f64::dither(glm::dvec2(x, y));
+      ASSERT_GE(d, -1.0);
+      ASSERT_LE(d, 1.0);
+      sum += d;
+      ++histogram[static_cast<std::size_t>(std::fmin(19.0, (d + 1.0) * 10.0))];
+    }
+  }
+  EXPECT_NEAR(sum / (side * side), 0.0, 0.01);
+  // A triangle: most in the middle, few at the ends.
+  EXPECT_GT(histogram[9] + histogram[10], 6 * (histogram[0] + histogram[19]));
+}
+
+}  // namespace
+}  // namespace terrella

@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "formulas/formulas.hpp"
+#include "laws/random_places.hpp"
+
+namespace terrella {
+namespace {
+
+using test::Places;
+
+f64::Terrain hills() {
+  f64::Terrain t;
+  t.height = 0.15;
+  t.frequency = 1.3;
+  t.octaves = 8;
+  t.persistence = 0.5;
+  t.lacunarity = 2.03;
+  t.power = 2.1;
+  t.ridged = false;
+  t.sharpness = 14.0;
+  t.seed = 3U;
+  return t;
+}
+
+TEST(SmoothAbs, LiesBelowTheMagnitudeByNoMoreThanItsBound) {
+  for (const double k : {0.1, 1.0, 14.0, 1000.0}) {
+    for (double x = -3.0; x <= 3.0; x += 0.001) {
+      const double y = f64::smooth_abs(x, k);
+      ASSERT_LE(y, std::fabs(x));
+      ASSERT_GE(y, std::fabs(x) - 0.27847 / k);  // the largest difference of x tanh(kx) from |x|
+      ASSERT_DOUBLE_EQ(y, f64::smooth_abs(-x, k));
+    }
+  }
+  EXPECT_EQ(f64::smooth_abs(2.0, 0.0), 0.0);
+  EXPECT_EQ(f64::smooth_abs(1e6, 1e6), 1e6);  // the printed form overflows here
+}
+
+TEST(SmoothAbs, IsXTimesTanh) {
+  for (double x = -2.0; x <= 2.0; x += 0.01) EXPECT_NEAR(f64::smooth_abs(x, 5.0), x * std::tanh(5.0 * x), 1e-15);
+}
+
+TEST(SmoothAbs, SlopeIsTheDerivative) {
+  for (const double k : {0.5, 14.0, 200.0}) {
+    for (double x = -1.5; x <= 1.5; x += 0.0037) {
+      const double h = 1e-6 / k;
+      const double change = (f64::smooth_abs(x + h, k) - f64::smooth_abs(x - h, k)) / (2.0 * h);
+      ASSERT_NEAR(f64::smooth_abs_slope(x, k), change, 1e-6) << x << " " << k;
+    }
+  }
+}
+
+TEST(HeightPower, KeepsItsEnds) {
+  for (const double p : {0.5, 1.0, 2.1, 16.0}) {
+    EXPECT_EQ(f64::height_power(0.0, 0.2, p), 0.0);
+    EXPECT_EQ(f64::height_power(-0.01, 0.2, p), 0.0);
+    EXPECT_DOUBLE_EQ(f64::height_power(1.0, 0.2, p), 0.2);
+    EXPECT_DOUBLE_EQ(f64::height_power(1.01, 0.2, p), 0.2);
+  }
+  EXPECT_EQ(f64::height_power(0.0, 0.2, 0.0), 0.2);  // 0^0 is 1
+}
+
+TEST(HeightPower, RisesAndItsSlopeIsTheDerivative) {
+  for (const double p : {0.5, 1.0, 2.1, 7.0}) {
+    double before = -1.0;
+    for (double h = 0.01; h < 0.99; h += 0.01) {
+      const double y = f64::height_power(h, 0.2, p);
+      EXPECT_GT(y, before);
+      before = y;
+      const double change = (f64::height_power(h + 1e-6, 0.2, p) - f64::height_power(h - 1e-6, 0.2, p)) / 2e-6;
+      EXPECT_NEAR(f64::height_power_slope(h, 0.2, p), change, 1e-6 * (1.0 + change));
+    }
+  }
+}
+
+TEST(LayerWeight, ShowsAllOfWhatHasFourSamplesACellAndNothingUnderTwo) {
+  EXPECT_EQ(f64::layer_weight(10.0, 0.025), 1.0);
+  EXPECT_EQ(f64::layer_weight(10.0, 0.05), 0.0);
+  EXPECT_EQ(f64::layer_weight(1e9, 1.0), 0.0);
+  EXPECT_EQ(f64::layer_weight(1e9, 0.0), 1.0);
+}
+
+TEST(TerrainHeight, StaysBetweenTheSphereAndItsHighest) {
+  Places places(21U);
+  for (const bool ridged : {false, true}) {
+    f64::Terrain t = hills();
+    t.ridged = ridged;
+    for (int i = 0; i < 20'000; ++i) {
+      const double h = f64::terrain_height_at(places.on_sphere(), t, 0.0).value;
+      ASSERT_GE(h, 0.0);
+      ASSERT_LE(h, t.height);
+    }
+  }
+}
+
+TEST(TerrainHeight, GradientIsTheDerivativeAlongTheSphere) {
+  Places places(22U);
+  for (const bool ridged : {false, true}) {
+    f64::Terrain t = hills();
+    t.ridged = ridged;
+    for (int i = 0; i < 5000; ++i) {
+      const glm::dvec3 d = places.on_sphere();
+      const f64::Height ground = f64::terrain_height_at(d, t, 0.002);
+      if (ground.value < 1e-4) continue;  // the slope is held finite at 0
+      const glm::dvec3 side = glm::normalize(glm::cross(d, places.on_sphere()));
+      const double h = 3e-8;  // sharp ridges bend within little more
+      const double change = f64::terrain_height_at(glm::normalize(d + h * side), t, 0.002).value -
+                            f64::terrain_height_at(glm::normalize(d - h * side), t, 0.002).value;
+      ASSERT_NEAR(glm::dot(ground.gradient, side), change / (2.0 * h), 2e-5) << ridged;
+    }
+  }
+}
+
+TEST(TerrainHeight, WithoutOctavesOrHeightIsTheSphere) {
+  f64::Terrain t = hills();
+  t.octaves = 0;
+  EXPECT_EQ(f64::terrain_height_at(glm::dvec3(1.0, 0.0, 0.0), t, 0.0).value, 0.0);
+  t = hills();
+  t.height = 0.0;
+  EXPECT_EQ(f64::terrain_height_at(glm::dvec3(0.0, 1.0, 0.0), t, 0.0).value, 0.0);
+}
+
+TEST(TerrainHeight, FadesToItsMeanAsSamplesGrowCoarse) {
+  f64::Terrain t = hills();
+  t.power = 1.0;
+  Places places(23U);
+  for (int i = 0; i < 100; ++i) {
+    const f64::Height h = f64::terrain_height_at(places.on_sphere(), t, 10.0);
+    EXPECT_NEAR(h.value, 0.5 * t.height, 1e-12);
+    EXPECT_EQ(glm::length(h.gradient), 0.0);
+  }
+}
+
+TEST(TerrainHeight, IsFiniteAtTheEndsOfEveryParameter) {
+  Places places(24U);
+  f64::Terrain t = hills();
+  for (const double persistence : {0.0, 1.0, 1.5})
+    for (const double lacunarity : {1.0, 4.0})
+      for (const double power : {0.0, 0.01, 16.0})
+        for (const double sharpness : {0.0, 1000.0})
+          for (const int octaves : {1, 24}) {
+            t.persistence = persistence;
+            t.lacunarity = lacunarity;
+            t.power = power;
+            t.sharpness = sharpness;
+            t.octaves = octaves;
+            t.ridged = octaves == 24;
+            const f64::Height h = f64::terrain_height_at(places.on_sphere(), t, 1e-3);
+            ASSERT_TRUE(std::isfinite(h.value) && std::isfinite(glm::length(h.gradient)));
+          }
+}
+
+TEST(SurfaceNormal, IsThatOfTheDisplacedSurface) {
+  Places places(25U);
+  const f64::Terrain t = hills();
+  const auto point = [&](const glm::dvec3& d) { return d * (1.0 + f64::terrain_height_at(d, t, 0.002).value); };
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec3 d = places.on_sphere();
+    const f64::Height ground = f64::terrain_height_at(d, t, 0.002);
+    if (ground.value < 1e-4) continue;
+    const glm::dvec3 east = glm::normalize(glm::cross(d, places.on_sphere())), north = glm::cross(d, east);
+    const double h = 1e-6;
+    const glm::dvec3 a = point(glm::normalize(d + h * east)) - point(glm::normalize(d - h * east));
+    const glm::dvec3 b = point(glm::normalize(d + h * north)) - point(glm::normalize(d - h * north));
+    const glm::dvec3 expected = glm::normalize(glm::cross(a, b));
+    ASSERT_LT(glm::distance(f64::surface_normal(d, 1.0 + ground.value, ground.gradient), expected), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace terrella

@@ -1,0 +1,114 @@
+#include "planet/pose.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "laws/random_places.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+TEST(Pose, LooksAtTheCentreByDefaultAndLevelAtPitchZero) {
+  Scene scene;
+  Pose pose = pose_of(scene, {});
+  EXPECT_NEAR(glm::dot(pose.forward, glm::normalize(pose.eye)), -1.0, 1e-12);
+  scene.camera.pitch = 0.0;
+  pose = pose_of(scene, {});
+  EXPECT_NEAR(glm::dot(pose.forward, glm::normalize(pose.eye)), 0.0, 1e-12);
+}
+
+TEST(Pose, HeadingTurnsClockwiseFromNorth) {
+  Scene scene;
+  scene.camera.pitch = 0.0;
+  scene.camera.latitude = scene.camera.longitude = 0.0;
+  EXPECT_GT(pose_of(scene, {}).forward.z, 0.999);  // north
+  scene.camera.heading = 90.0;
+  EXPECT_GT(pose_of(scene, {}).forward.y, 0.999);  // east of x is y
+}
+
+TEST(Pose, IsRightHandedAndUnitEverywhereAlsoAtThePoles) {
+  test::Places places(1U);
+  Scene scene;
+  for (int i = 0; i < 500; ++i) {
+    scene.camera.latitude = i % 5 == 0 ? 90.0 : i % 5 == 1 ? -90.0 : places.between(-90.0, 90.0);
+    scene.camera.longitude = places.between(-180.0, 180.0);
+    scene.camera.heading = places.between(-360.0, 360.0);
+    scene.camera.pitch = places.between(-90.0, 90.0);
+    const Pose pose = pose_of(scene, {});
+    EXPECT_NEAR(glm::length(pose.forward), 1.0, 1e-12);
+    EXPECT_LT(glm::distance(glm::cross(pose.right, pose.forward), pose.up), 1e-12);
+    EXPECT_NEAR(glm::dot(pose.right, pose.forward), 0.0, 1e-12);
+  }
+}
+
+TEST(Pose, NeverStandsUnderGroundOrSea) {
+  test::Places places(2U);
+  for (const Preset& preset : presets()) {
+    Scene scene = preset.scene;
+    scene.camera.altitude = 0.0;
+    for (int i = 0; i < 40; ++i) {
+      scene.camera.latitude = places.between(-90.0, 90.0);
+      scene.camera.longitude = places.between(-180.0, 180.0);
+      const Pose pose = pose_of(scene, {});
+      EXPECT_GE(glm::length(pose.eye), surface_radius(scene, glm::normalize(pose.eye)) + 0.99 * least_clearance);
+      EXPECT_TRUE(pose.raised);
+    }
+  }
+}
+
+TEST(Pose, DepthRangeHoldsThePlanetFromWalkingHeightToFarAway) {
+  Scene scene;
+  for (double altitude = 1e-4; altitude < 1e5; altitude *= 3.0) {
+    scene.camera.altitude = altitude;
+    const Pose pose = pose_of(scene, {});
+    const double distance = glm::length(pose.eye);
+    EXPECT_GT(pose.near, 0.0);
+    EXPECT_LT(pose.near, pose.far);
+    EXPECT_LE(pose.near, pose.clearance);
+    // The horizon of the sphere lies before the far plane.
+    EXPECT_GE(pose.far, std::sqrt((distance - 1.0) * (distance + 1.0)));
+  }
+}
+
+TEST(ClipFromEye, AgreesWithTheRayThroughEveryPixel) {
+  test::Places places(3U);
+  Scene scene;
+  for (const double fov : {1.0, 45.0, 170.0}) {
+    for (const auto& [width, height] : {std::pair(1, 1), std::pair(1280, 720), std::pair(10, 1000)}) {
+      scene.camera.fov = fov;
+      View view;
+      view.width = width;
+      view.height = height;
+      view.shift = {places.between(-0.5, 0.5), places.between(-0.5, 0.5)};
+      const Pose pose = pose_of(scene, view);
+      const glm::dmat4 clip(clip_from_eye(pose, view));
+      for (int i = 0; i < 50; ++i) {
+        const glm::dvec2 pixel(places.between(0.0, width), places.between(0.0, height));
+        const glm::dvec3 ray = ray_through(pose, view, pixel);
+        const glm::dvec4 at = clip * glm::dvec4(ray * 0.5 * (pose.near + pose.far), 1.0);
+        EXPECT_NEAR((at.x / at.w + 1.0) * 0.5 * width, pixel.x, 0.01);
+        EXPECT_NEAR((1.0 - at.y / at.w) * 0.5 * height, pixel.y, 0.01);
+      }
+    }
+  }
+}
+
+TEST(SurfaceRadius, ScalesWithThePlanet) {
+  Scene small, large;
+  large.planet.radius *= 1024.0;
+  large.terrain.height *= 1024.0;
+  large.water.level *= 1024.0;
+  test::Places places(4U);
+  for (int i = 0; i < 100; ++i) {
+    const glm::dvec3 d = places.on_sphere();
+    EXPECT_EQ(surface_radius(small, d), surface_radius(large, d));
+  }
+}
+
+}  // namespace
+}  // namespace terrella
