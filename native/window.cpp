@@ -1,7 +1,6 @@
 #include "native/window.hpp"
 
-#include "gl/api.hpp"  // before GLFW, which would include another header of OpenGL
-
+#define GLFW_INCLUDE_NONE  // the session has brought OpenGL along
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -114,10 +113,10 @@ void Window::listen_to_hands() {
     if (entered == GLFW_FALSE && self.buttons_down_ == 0) self.session_.pointer_left();
   });
   glfwSetScrollCallback(window, [](GLFWwindow* handle, double, double y) { window_of(handle).session_.wheel(y); });
-  glfwSetKeyCallback(window, [](GLFWwindow* handle, int code, int, int action, int) {
-    window_of(handle).key(code, action);
-  });
-  glfwSetCharCallback(window, [](GLFWwindow* handle, unsigned codepoint) { window_of(handle).session_.text(codepoint); });
+  glfwSetKeyCallback(window,
+                     [](GLFWwindow* handle, int code, int, int action, int) { window_of(handle).key(code, action); });
+  glfwSetCharCallback(window,
+                      [](GLFWwindow* handle, unsigned codepoint) { window_of(handle).session_.text(codepoint); });
 }
 
 void Window::listen_to_window() {
@@ -138,7 +137,9 @@ void Window::measure() {
   glfwGetWindowSize(handle_.get(), &units, &ignored);
   glfwGetWindowContentScale(handle_.get(), &scale, nullptr);
   if (width == 0 || height == 0 || units == 0) return;  // minimised
-  const auto points = [&](int pixels) { return std::max(1, static_cast<int>(pixels / static_cast<double>(scale) + 0.5)); };
+  const auto points = [&](int pixels) {
+    return std::max(1, static_cast<int>(pixels / static_cast<double>(scale) + 0.5));
+  };
   points_per_unit_ = static_cast<double>(width) / scale / units;
   session_.resize(points(width), points(height), scale);
 }

@@ -8,7 +8,8 @@ in vec2 place;
 out vec4 fragment;
 
 void main() {
-  vec3 light = texelFetch(image, ivec2(gl_FragCoord.xy), 0).rgb;
-  vec3 shown = srgb(tone_map(light, picture_tone)) + dither(floor(gl_FragCoord.xy)) / 255.0;
-  fragment = vec4(shown, dot(shown, vec3(0.299, 0.587, 0.114)));
+  vec4 light = texelFetch(image, ivec2(gl_FragCoord.xy), 0);
+  vec3 shown = srgb(tone_map(light.rgb, picture_tone)) + dither(floor(gl_FragCoord.xy)) / 255.0;
+  // Bare sky counts as dark: stars are no edges.
+  fragment = vec4(shown, dot(shown, vec3(0.299, 0.587, 0.114)) * min(8.0 * light.a, 1.0));
 }

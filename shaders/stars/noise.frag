@@ -1,10 +1,10 @@
 #include "output.glsl"
 
 in vec3 star_light;
-in float star_radius;
+in vec2 star_place;
 
 void main() {
   // A soft disc, smooth at any place between pixels.
-  float r = length(gl_PointCoord - 0.5) * (2.0 * star_radius + 2.0) / star_radius;
-  emit_veil(star_light * exp(-2.4 * r * r) * step(r, 2.0), 0.0);
+  float r2 = dot(star_place, star_place);
+  emit_veil(star_light * max(exp(-1.8 * r2) - exp(-1.8 * 4.0), 0.0), 0.0);
 }

@@ -1,4 +1,4 @@
-// Stars as points at infinity.
+// Stars as small squares at infinity, one an instance: points are drawn a little differently by each kind of OpenGL.
 #include "scene_block.glsl"
 #include "frame_block.glsl"
 #include "lib/air.glsl"
@@ -6,13 +6,15 @@
 layout(location = 0) in vec4 star;   // xyz: direction; w: brightness
 layout(location = 1) in vec4 color;
 
+uniform vec2 picture_size;  // pixels
+
 out vec3 star_light;
-out float star_radius;  // pixels
+out vec2 star_place;  // in radii of the star
 
 void main() {
   vec4 place = clip_from_eye * vec4(star.xyz, 0.0);
   // A dim star is not smaller than a pixel, but dimmer: it does not twinkle as it moves over the pixels.
-  star_radius = stars_size * (0.75 + 0.75 * star.w);
+  float star_radius = stars_size * (0.8 + 0.8 * star.w);
   star_light = color.rgb * stars_brightness * (0.10 + 2.2 * star.w);
   if (ripple.z > 0.0) {
     // Hidden by the planet's air; seen from within, by the daylight.
@@ -24,6 +26,8 @@ void main() {
                         smoothstep(0.0, 0.3, dot(up, star.xyz));
     star_light *= mix(path.leave > path.enter ? 0.0 : 1.0, from_within, inside);
   }
-  gl_PointSize = 2.0 * star_radius + 2.0;
+  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  star_place = 2.0 * corner;
+  place.xy += corner * 4.0 * star_radius / picture_size * place.w;
   gl_Position = vec4(place.xy, place.w, place.w);  // at the far plane
 }

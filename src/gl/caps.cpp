@@ -58,7 +58,6 @@ void set_up_context() {
 #ifndef __EMSCRIPTEN__
   if (!current.es) {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glEnable(GL_PROGRAM_POINT_SIZE);
   }
 #endif
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -32,7 +32,7 @@ void Mesh::draw() const {
   count_draw(triangles());
 }
 
-Points::Points(std::span<const float> data, int vec4s_each)
+Squares::Squares(std::span<const float> data, int vec4s_each)
     : count_(static_cast<GLsizei>(data.size() / (4 * static_cast<std::size_t>(vec4s_each)))) {
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(data));
@@ -41,16 +41,17 @@ Points::Points(std::span<const float> data, int vec4s_each)
     const auto offset = sizeof(float) * 4 * static_cast<std::size_t>(i);
     glEnableVertexAttribArray(static_cast<GLuint>(i));
     glVertexAttribPointer(static_cast<GLuint>(i), 4, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(static_cast<GLuint>(i), 1);
   }
   glBindVertexArray(0);
   memory_.set(static_cast<std::int64_t>(data.size_bytes()));
 }
 
-void Points::draw() const {
+void Squares::draw() const {
   if (count_ == 0) return;
   glBindVertexArray(array_.name());
-  glDrawArrays(GL_POINTS, 0, count_);
-  count_draw(0);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+  count_draw(2 * std::int64_t{count_});
 }
 
 void FullScreen::draw() const {

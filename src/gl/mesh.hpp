@@ -29,11 +29,12 @@ class Mesh {
   Holding memory_;
 };
 
-// Points with a fixed number of floats each, read as vec4 attributes 0, 1, ….
-class Points {
+// Squares with a fixed number of floats each, read as vec4 attributes 0, 1, …; the vertex shader makes the four corners
+// from gl_VertexID.
+class Squares {
  public:
-  // data: vec4s_each * 4 floats a point.
-  Points(std::span<const float> data, int vec4s_each);
+  // data: vec4s_each * 4 floats a square.
+  Squares(std::span<const float> data, int vec4s_each);
 
   void draw() const;
 

@@ -1,8 +1,8 @@
 #include "panel/facts_view.hpp"
 
-#include <cmath>
-
 #include <imgui.h>
+
+#include <cmath>
 
 #include "base/text.hpp"
 #include "panel/quantity.hpp"
@@ -20,19 +20,8 @@ std::string grouped(std::int64_t number) {
   return digits;
 }
 
-// A table of two columns, the first of which takes a share of the width. Where it is there, EndTable closes it.
-bool begin_table(const char* id, float share, ImGuiTableFlags lines) {
-  if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp | lines)) return false;
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_None, share);
-  ImGui::TableSetupColumn("how", ImGuiTableColumnFlags_None, 1.0F - share);
-  return true;
-}
-
 void fact(const char* name, const std::string& value) {
-  ImGui::TableNextColumn();
-  quiet_text(name);
-  ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", value.c_str());
+  two_columns(0.35F, [&] { quiet_text(name); }, [&] { ImGui::TextWrapped("%s", value.c_str()); });
 }
 
 std::string one_decimal(double value) { return short_number(std::round(value * 10.0) / 10.0); }
@@ -42,21 +31,21 @@ std::string one_decimal(double value) { return short_number(std::round(value * 1
 void decisions_section(const Sheet& sheet) {
   const bool open = ImGui::CollapsingHeader("What is modelled");
   sheet.place("decisions");
-  if (!open || !begin_table("decisions", 0.42F, ImGuiTableFlags_BordersInnerH)) return;
+  if (!open) return;
   for (const PanelFacts::Decision& decision : sheet.facts.decisions) {
-    ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", decision.what.c_str());
-    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", decision.chosen.c_str());
-    ImGui::TableNextColumn();
-    quiet_text(decision.why);
+    const auto chosen = [&] {
+      ImGui::TextWrapped("%s", decision.what.c_str());
+      ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", decision.chosen.c_str());
+    };
+    two_columns(0.42F, chosen, [&] { quiet_text(decision.why); });
+    ImGui::Separator();
   }
-  ImGui::EndTable();
 }
 
 void statistics_section(const Sheet& sheet) {
   const bool open = ImGui::CollapsingHeader("Statistics");
   sheet.place("statistics");
-  if (!open || !begin_table("statistics", 0.35F, 0)) return;
+  if (!open) return;
   const PanelFacts& facts = sheet.facts;
   if (facts.frame_ms > 0.0) {
     fact("Frame", text_of(one_decimal(facts.frame_ms), " ms, ", one_decimal(1000.0 / facts.frame_ms), " fps"));
@@ -68,7 +57,6 @@ void statistics_section(const Sheet& sheet) {
   fact("GPU memory", text_of(one_decimal(static_cast<double>(facts.gpu_bytes) * 1e-6), " MB"));
   fact("Noise a frame", grouped(facts.noise_evaluations));
   fact("Renderer", facts.renderer);
-  ImGui::EndTable();
 }
 
 }  // namespace terrella

@@ -1,8 +1,8 @@
 #include "panel/head.hpp"
 
-#include <algorithm>
-
 #include <imgui.h>
+
+#include <algorithm>
 
 #include "base/text.hpp"
 #include "panel/widgets.hpp"
@@ -83,9 +83,10 @@ void head_section(Sheet& sheet) {
 
   ButtonGrid grid(sheet);
   PanelWishes& wishes = sheet.wishes;
-  if (grid.copy_button("copy_link", "Copy link", "A link to this very planet, for the clipboard.")) wishes.copy_link = true;
+  if (grid.copy_button("copy_link", "Copy link", "A link to this very planet, for the clipboard."))
+    wishes.copy_link = true;
   if (grid.copy_button("copy_json", "Copy JSON", "This scene as JSON, for the clipboard.")) wishes.copy_json = true;
-  if (grid.button("picture", "Picture", "Saves a picture of the planet.")) wishes.save_picture = true;
+  if (grid.button("save_picture", "Picture", "Saves a picture of the planet.")) wishes.save_picture = true;
   if (grid.button("open", "Open", "Opens a scene from a JSON file.")) wishes.open_json = true;
   if (grid.button("save", "Save", "Saves this scene as a JSON file.")) wishes.save_json = true;
   const bool same = sheet.document.scene == sheet.preset->scene;
@@ -96,18 +97,30 @@ void head_section(Sheet& sheet) {
 
 void notices_section(Sheet& sheet) {
   if (sheet.facts.notices.empty()) return;
-  const float button = ImGui::GetFrameHeight();
-  if (!ImGui::BeginTable("notices", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersOuter)) return;
-  ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("dismiss", ImGuiTableColumnFlags_WidthFixed, button);
-  ImGui::TableNextColumn();
-  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  // The ground under the text is as high as the text, which is known only when it has been written.
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.ChannelsSplit(2);
+  list.ChannelsSetCurrent(1);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, margin = points(6.0F), button = ImGui::GetFrameHeight();
+  ImGui::Dummy({0.0F, 0.0F});
+  ImGui::Indent(margin);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - 3.0F * margin);
+  ImGui::BeginGroup();
   for (const std::string& notice : sheet.facts.notices) ImGui::TextWrapped("%s", in_latin1(notice).c_str());
-  ImGui::TableNextColumn();
+  ImGui::EndGroup();
+  ImGui::PopTextWrapPos();
+  ImGui::Unindent(margin);
+  ImGui::SameLine(ImGui::GetCursorPosX() + width - button - margin, 0.0F);
   if (ImGui::Button("x", {button, 0.0F})) sheet.wishes.dismiss_notices = true;
   sheet.place("dismiss");
   tooltip("Dismiss.");
-  ImGui::EndTable();
+  const ImVec2 to{from.x + width, ImGui::GetCursorScreenPos().y};
+  list.ChannelsSetCurrent(0);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);
+  list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Border), ImGui::GetStyle().FrameRounding);
+  list.ChannelsMerge();
+  ImGui::Spacing();
 }
 
 void clock_section(Sheet& sheet) {

@@ -1,8 +1,8 @@
 #include "panel/panel.hpp"
 
-#include <algorithm>
-
 #include <imgui.h>
+
+#include <algorithm>
 
 #include "base/check.hpp"
 #include "base/text.hpp"
@@ -25,8 +25,8 @@ bool begin_window() {
   ImGui::SetNextWindowPos({margin, margin});
   ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(margin, display.y - 2.0F * margin)});
   return ImGui::Begin("panel", nullptr,
-                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
+                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
 }
 

@@ -50,8 +50,8 @@ struct WidgetPlace {
 
 class Panel {
  public:
-  // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window. Where `places` is given, the
-  // place of every widget drawn is added to it.
+  // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window. Where `places` is given,
+  // the place of every widget drawn is added to it.
   PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
 
  private:

@@ -1,9 +1,9 @@
 #include "panel/parameter_row.hpp"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <imgui.h>
 
 #include "base/text.hpp"
 #include "panel/quantity.hpp"
@@ -14,7 +14,7 @@
 namespace terrella {
 namespace {
 
-constexpr float label_width = 124.0F;  // points
+constexpr float label_width = 124.0F;   // points
 constexpr double widest_slider = 5000;  // of whole numbers; beyond, a pixel would skip too many
 
 // "ridge_sharpness" as "Ridge sharpness"

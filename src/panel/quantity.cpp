@@ -15,7 +15,7 @@ struct LengthUnit {
 };
 
 // From large to small; the last two are other spellings.
-constexpr LengthUnit length_units[] = {{"km", 1e3}, {"m", 1.0},  {"mm", 1e-3},
+constexpr LengthUnit length_units[] = {{"km", 1e3},       {"m", 1.0},   {"mm", 1e-3},
                                        {"\u00b5m", 1e-6}, {"um", 1e-6}, {"cm", 1e-2}};
 constexpr std::size_t units_shown = 4;
 

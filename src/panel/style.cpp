@@ -1,7 +1,7 @@
 // How the panel looks: dark, quiet, and legible over whatever the planet shows behind it.
-#include <cmath>
-
 #include <imgui.h>
+
+#include <cmath>
 
 #include "panel/panel.hpp"
 

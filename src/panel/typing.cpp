@@ -1,8 +1,8 @@
 #include "panel/typing.hpp"
 
-#include <algorithm>
-
 #include <imgui.h>
+
+#include <algorithm>
 
 namespace terrella {
 namespace {

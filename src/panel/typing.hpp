@@ -11,8 +11,8 @@ namespace terrella {
 
 void start_typing(Typing& typing, std::string_view path, const std::string& text);
 
-// The field. When the typing ends (Enter, a click elsewhere) it gives the text, if that is another than at first; Escape
-// ends it with the first text. Afterwards typing.path is empty.
+// The field. When the typing ends (Enter, a click elsewhere) it gives the text, if that is another than at first;
+// Escape ends it with the first text. Afterwards typing.path is empty.
 std::optional<std::string> typing_field(Typing& typing);
 
 }  // namespace terrella

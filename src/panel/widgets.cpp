@@ -1,8 +1,8 @@
 #include "panel/widgets.hpp"
 
-#include <algorithm>
-
 #include <imgui.h>
+
+#include <algorithm>
 
 namespace terrella {
 namespace {
@@ -20,8 +20,8 @@ void draw_bar(ImVec2 from, ImVec2 to, double position, const std::string& text) 
   const float inset = points(bar_inset);
   const float x = from.x + inset + static_cast<float>(position) * (to.x - from.x - 2.0F * inset);
   list.AddRectFilled(from, to, ImGui::GetColorU32(lit ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), rounding);
-  list.AddRectFilled(from, {x, to.y}, ImGui::GetColorU32(lit ? ImGuiCol_SliderGrabActive : ImGuiCol_SliderGrab), rounding,
-                     ImDrawFlags_RoundCornersLeft);
+  list.AddRectFilled(from, {x, to.y}, ImGui::GetColorU32(lit ? ImGuiCol_SliderGrabActive : ImGuiCol_SliderGrab),
+                     rounding, ImDrawFlags_RoundCornersLeft);
   // The bright line shows the position, and lies where it does not cross the text.
   list.AddRectFilled({from.x, to.y - points(2.0F)}, {x, to.y}, ImGui::GetColorU32(ImGuiCol_CheckMark), points(1.0F));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -73,6 +73,19 @@ void quiet_text(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   ImGui::TextWrapped("%s", text.c_str());
   ImGui::PopStyleColor();
+}
+
+void two_columns(float share, const std::function<void()>& left, const std::function<void()>& right) {
+  const float start = ImGui::GetCursorPosX(), middle = start + share * ImGui::GetContentRegionAvail().x;
+  ImGui::PushTextWrapPos(middle - points(6.0F));
+  ImGui::BeginGroup();
+  left();
+  ImGui::EndGroup();
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine(middle, 0.0F);
+  ImGui::BeginGroup();
+  right();
+  ImGui::EndGroup();
 }
 
 void begin_side_tooltip() {

@@ -1,6 +1,7 @@
 // Small widgets that Dear ImGui does not have.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,9 @@ float reset_button_width();
 
 // A line of text in the colour of what matters less, wrapped.
 void quiet_text(const std::string& text);
+
+// Two things side by side, the left one in a share of the width. Text in both is wrapped.
+void two_columns(float share, const std::function<void()>& left, const std::function<void()>& right);
 
 // Opens a tooltip beside the panel, where it hides none of its sliders, at the height of the pointer. Close it with
 // end_side_tooltip().

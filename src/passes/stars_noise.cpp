@@ -19,12 +19,13 @@ void StarsNoise::update(const Frame& frame) {
     const glm::vec3 &d = star.direction, &c = star.color;
     data.insert(data.end(), {d.x, d.y, d.z, star.brightness, c.r, c.g, c.b, 0.0F});
   }
-  points_ = std::make_unique<gl::Points>(data, 2);
+  squares_ = std::make_unique<gl::Squares>(data, 2);
 }
 
-void StarsNoise::draw() {
+void StarsNoise::draw(const Frame& frame) {
   program_.use();
-  points_->draw();
+  program_.set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
+  squares_->draw();
 }
 
 }  // namespace terrella

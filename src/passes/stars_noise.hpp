@@ -1,4 +1,4 @@
-// Stars as points, found once for a sky (planet/stars.hpp).
+// Stars as small squares, found once for a sky (planet/stars.hpp).
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ class StarsNoise {
  public:
   bool ready() { return program_.ready(); }
   void update(const Frame& frame);
-  void draw();
+  void draw(const Frame& frame);
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
@@ -26,7 +26,7 @@ class StarsNoise {
 
   gl::Program program_{"stars/noise"};
   std::optional<Key> key_;
-  std::unique_ptr<gl::Points> points_;
+  std::unique_ptr<gl::Squares> squares_;
   std::int64_t noise_evaluations_ = 0;
 };
 

@@ -98,7 +98,7 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   if (water_) water_->draw(frame);
   if (shot.channel == Channel::color) {
     draw_veils();
-    if (stars_) stars_->draw();
+    if (stars_) stars_->draw(frame);
     if (air_) air_->draw();
     if (clouds_) clouds_->draw(frame);
     draw_flat();
@@ -155,7 +155,7 @@ void Renderer::begin_light(const View& view, const Shot& shot) {
   const float sky = shot.channel == Channel::distance || shot.channel == Channel::height
                         ? std::numeric_limits<float>::infinity()
                         : 0.0F;
-  const float clear[] = {sky, sky, sky, 1.0F};
+  const float clear[] = {sky, sky, sky, 0.0F};  // alpha: how much of the sky is covered
   const float farthest = 1.0F;
   glDepthMask(GL_TRUE);
   glClearBufferfv(GL_COLOR, 0, clear);

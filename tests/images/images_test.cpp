@@ -181,6 +181,7 @@ TEST(Distance, IsThatOfTheSphereWhereTheGroundIsFlat) {
   scene.terrain.height = 0.0;
   scene.water.model = choice("water.model", "none");
   scene.planet.radius = 2000.0;
+  scene.quality.pixel_error = 0.1;
   scene.camera.altitude = 3000.0;
   const StillOptions options = small();
   const Image distance = take_measurement(studio.renderer, scene, options, Channel::distance);

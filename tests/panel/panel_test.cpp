@@ -1,0 +1,235 @@
+#include "panel/panel.hpp"
+
+#include "base/text.hpp"
+#include "hand.hpp"
+#include "scene/json.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+const Scene& scene_of(const std::string& preset) { return find_preset(preset)->scene; }
+
+// What would be found wrong with any value of a scene.
+std::vector<std::string> faults(const Scene& scene) {
+  std::vector<std::string> sentences;
+  Scene copy;
+  for (const Parameter& parameter : parameters()) {
+    if (const auto issue = assign(copy, parameter, parameter.get(scene))) sentences.push_back(issue->text());
+  }
+  return sentences;
+}
+
+TEST_F(PanelTest, EveryGroupHasAHeaderAndEveryParameterAWidget) {
+  for (const Group& group : groups()) EXPECT_EQ(count_of(group.name), 1) << group.name;
+  open_all_groups();
+  for (const Parameter& parameter : parameters()) EXPECT_EQ(count_of(parameter.path), 1) << parameter.path;
+}
+
+TEST_F(PanelTest, ValuesStayInRangeAtTheEndsOfTheirSliders) {
+  open_all_groups();
+  for (const float end : {-0.5F, 1.5F}) {
+    for (const Parameter& parameter : parameters()) {
+      if (parameter.type != Type::Float && parameter.type != Type::Int) continue;
+      drag(std::string(parameter.path), 0.4F, end);
+      ASSERT_EQ(faults(document.scene), std::vector<std::string>{}) << parameter.path << " at " << end;
+    }
+  }
+  EXPECT_EQ(document.scene.waves.steepness, 1.0);
+  EXPECT_EQ(document.scene.waves.count, 100);
+}
+
+TEST_F(PanelTest, AHeldSliderIsDraggedUntilItIsLetGo) {
+  click("waves");
+  point_at("waves.steepness", 0.2F);
+  const PanelWishes pressed = press();
+  EXPECT_TRUE(pressed.dragging);
+  EXPECT_TRUE(pressed.scene_changed);
+  EXPECT_NEAR(document.scene.waves.steepness, 0.2, 0.05);
+  const PanelWishes held = frame();
+  EXPECT_TRUE(held.dragging);
+  EXPECT_FALSE(held.scene_changed);
+  release();
+  EXPECT_FALSE(frame().dragging);
+}
+
+TEST_F(PanelTest, ASliderKeepsItsValueWhileThePointerIsOutsideOfTheWindow) {
+  click("waves");
+  point_at("waves.steepness", 0.7F);
+  press();
+  const double before = document.scene.waves.steepness;
+  ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+  frame();
+  EXPECT_EQ(document.scene.waves.steepness, before);
+}
+
+TEST_F(PanelTest, ALengthsSliderGrowsWithThePlanet) {
+  document.scene.planet.radius = 1000.0;
+  click("terrain");
+  drag("terrain.height", 0.5F, 1.5F);
+  EXPECT_EQ(document.scene.terrain.height, 500.0);
+}
+
+TEST_F(PanelTest, OneValueGoesBackToThePreset) {
+  click("waves");
+  EXPECT_EQ(count_of("waves.steepness/reset"), 0);
+  document.scene.waves.steepness = 0.1;
+  document.scene.waves.spread = 0.1;
+  frame();
+  EXPECT_TRUE(click("waves.steepness/reset").scene_changed);
+  EXPECT_EQ(document.scene.waves.steepness, Scene{}.waves.steepness);
+  EXPECT_EQ(document.scene.waves.spread, 0.1);
+  EXPECT_EQ(count_of("waves.steepness/reset"), 0);
+}
+
+TEST_F(PanelTest, AGroupGoesBackToThePreset) {
+  document = {scene_of("storm"), "storm"};
+  document.scene.waves.steepness = 0.1;
+  document.scene.clouds.color = {1, 2, 3};
+  frame();
+  EXPECT_TRUE(click("clouds/reset").scene_changed);
+  EXPECT_EQ(document.scene.clouds, scene_of("storm").clouds);
+  EXPECT_EQ(document.scene.waves.steepness, 0.1);
+}
+
+TEST_F(PanelTest, AllGoesBackToThePreset) {
+  document = {scene_of("storm"), "storm"};
+  frame();
+  EXPECT_EQ(click("reset_all"), PanelWishes{});
+  document.scene.waves.steepness = 0.1;
+  document.scene.planet.radius = 12.0;
+  frame();
+  EXPECT_TRUE(click("reset_all").scene_replaced);
+  EXPECT_EQ(document, (SceneDocument{scene_of("storm"), "storm"}));
+}
+
+TEST_F(PanelTest, APresetReplacesTheScene) {
+  document.scene.waves.steepness = 0.1;
+  click("preset");
+  for (const Preset& preset : presets()) EXPECT_EQ(count_of("preset/" + preset.name), 1) << preset.name;
+  EXPECT_TRUE(click("preset/storm").scene_replaced);
+  EXPECT_EQ(document, (SceneDocument{scene_of("storm"), "storm"}));
+}
+
+TEST_F(PanelTest, ChoicesAndSwitchesAndSeeds) {
+  open_all_groups();
+  click("water.shading");
+  EXPECT_TRUE(click("water.shading/phong").scene_changed);
+  EXPECT_EQ(choice_name(document.scene, "water.shading"), "phong");
+  click("terrain.ridged");
+  EXPECT_TRUE(document.scene.terrain.ridged);
+  click("planet.seed", 0.97F);  // its plus
+  EXPECT_EQ(document.scene.planet.seed, Scene{}.planet.seed + 1);
+}
+
+TEST_F(PanelTest, AColorIsTypedAsHex) {
+  click("air");
+  click("air.color", 0.3F);
+  ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, true);
+  tap(ImGuiKey_A);
+  ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, false);
+  type("#0a141e");
+  tap(ImGuiKey_Enter);
+  EXPECT_EQ(to_text(document.scene.air.color), "#0a141e");
+}
+
+TEST_F(PanelTest, NumbersCanBeTyped) {
+  click("terrain");
+  type_into("terrain.height", "2.5 mm");
+  EXPECT_EQ(document.scene.terrain.height, 0.0025);
+  type_into("terrain.height", "7");  // in millimetres, as it was shown
+  EXPECT_EQ(document.scene.terrain.height, 0.007);
+  type_into("terrain.octaves", "7.4");
+  EXPECT_EQ(document.scene.terrain.octaves, 7);
+  type_into("terrain.power", "1e300");
+  EXPECT_EQ(document.scene.terrain.power, 16.0);
+}
+
+TEST_F(PanelTest, WhatIsNoNumberChangesNothing) {
+  click("terrain");
+  for (const std::string text : {"", "high", "nan", "-", "0x10 km", "\u00b5"}) {
+    type_into("terrain.power", text);
+    EXPECT_EQ(document.scene, Scene{}) << text;
+  }
+  type_into("terrain.power", "3", ImGuiKey_Escape);
+  EXPECT_EQ(document.scene, Scene{});
+}
+
+TEST_F(PanelTest, TypingIsNotDragging) {
+  click("terrain");
+  ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, true);
+  click("terrain.power");
+  ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, false);
+  frames(3);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  EXPECT_FALSE(frame().dragging);
+}
+
+TEST_F(PanelTest, AFrameInWhichNothingHappensWishesNothing) {
+  EXPECT_EQ(frame(), PanelWishes{});
+  open_all_groups();
+  EXPECT_EQ(frame(), PanelWishes{});
+  for (const Parameter& parameter : parameters()) {
+    point_at(std::string(parameter.path));
+    ASSERT_EQ(frame(), PanelWishes{}) << parameter.path;
+  }
+  EXPECT_EQ(document, SceneDocument{});
+}
+
+TEST_F(PanelTest, ButtonsWishWhatTheySay) {
+  EXPECT_TRUE(click("copy_link").copy_link);
+  EXPECT_TRUE(click("copy_json").copy_json);
+  EXPECT_TRUE(click("save").save_json);
+  EXPECT_TRUE(click("open").open_json);
+  EXPECT_TRUE(click("save_picture").save_picture);
+  EXPECT_TRUE(click("hide").hide);
+  EXPECT_EQ(document, SceneDocument{});
+}
+
+TEST_F(PanelTest, TheClockStopsGoesOnAndIsMoved) {
+  EXPECT_EQ(click("pause").paused, true);
+  facts.paused = true;
+  EXPECT_EQ(click("pause").paused, false);
+  facts.seconds = 12.0;
+  frame();
+  point_at("seconds", 0.5F);
+  press();
+  frame();
+  ImGui::GetIO().AddMousePosEvent(ImGui::GetIO().MousePos.x + 40.0F, ImGui::GetIO().MousePos.y);
+  const PanelWishes wishes = frame();
+  release();
+  ASSERT_TRUE(wishes.seconds);
+  EXPECT_GT(*wishes.seconds, 12.0);
+  EXPECT_EQ(click("seconds/reset").seconds, 0.0);
+}
+
+TEST_F(PanelTest, NoticesAreShownUntilDismissed) {
+  EXPECT_EQ(count_of("dismiss"), 0);
+  facts.notices = {"waves.steepness: 7 is out of range; allowed are 0 to 1.", "%s%n, as it was given\u2026"};
+  frames(2);
+  EXPECT_TRUE(click("dismiss").dismiss_notices);
+}
+
+TEST_F(PanelTest, FactsOfAnySizeAreShown) {
+  facts.frame_ms = 16.7;
+  facts.triangles = facts.gpu_bytes = facts.noise_evaluations = INT64_MAX;
+  facts.renderer = "a renderer";
+  facts.decisions = {{"waves.steepness", "0.4", "a crest would fold over"}, {"air", "none", "%n"}};
+  frame();
+  click("statistics");
+  click("decisions");
+  EXPECT_EQ(frame(), PanelWishes{});
+}
+
+class NarrowPanelTest : public PanelTest {
+ protected:
+  NarrowPanelTest() : PanelTest(200.0F, 300.0F) {}
+};
+
+TEST_F(NarrowPanelTest, ThePanelLeavesATenthOfANarrowWindow) {
+  click("terrain", 0.3F);
+  for (const WidgetPlace& place : places) EXPECT_LE(place.right, 192.0F) << place.name;
+}
+
+}  // namespace
+}  // namespace terrella
