@@ -21,9 +21,13 @@ void main() {
   float darkest = min(middle.a, min(min(north, south), min(east, west)));
   float brightest = max(middle.a, max(max(north, south), max(east, west)));
   if (brightest - darkest < max(0.03, 0.11 * brightest)) return;
-  // Along the edge, at right angles to the change.
-  vec2 along = vec2(south - north, east - west);
-  float gentle = max(0.25 * (north + south + east + west) * 0.125, 1.0 / 128.0);
+  // Along the edge, at right angles to the change over the three by three texels around.
+  float nw = texture(image, place + vec2(-0.5, 0.5) * texel).a;
+  float ne = texture(image, place + vec2(0.5, 0.5) * texel).a;
+  float sw = texture(image, place + vec2(-0.5, -0.5) * texel).a;
+  float se = texture(image, place + vec2(0.5, -0.5) * texel).a;
+  vec2 along = vec2((sw + se) - (nw + ne), (ne + se) - (nw + sw));
+  float gentle = max(0.25 * (nw + ne + sw + se) * 0.125, 1.0 / 128.0);
   along = clamp(along / (min(abs(along.x), abs(along.y)) + gentle), -8.0, 8.0) * texel;
   vec3 near = 0.5 * (texture(image, place - along / 6.0).rgb + texture(image, place + along / 6.0).rgb);
   vec3 wide = 0.5 * near + 0.25 * (texture(image, place - 0.5 * along).rgb + texture(image, place + 0.5 * along).rgb);

@@ -21,7 +21,8 @@ std::string grouped(std::int64_t number) {
 }
 
 void fact(const char* name, const std::string& value) {
-  two_columns(0.35F, [&] { quiet_text(name); }, [&] { ImGui::TextWrapped("%s", value.c_str()); });
+  two_columns(
+      0.35F, [&] { quiet_text(name); }, [&] { ImGui::TextWrapped("%s", value.c_str()); });
 }
 
 std::string one_decimal(double value) { return short_number(std::round(value * 10.0) / 10.0); }
