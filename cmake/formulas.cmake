@@ -66,7 +66,11 @@ ${formulas}
 ")
 endfunction()
 
-file(WRITE ${OUT}/formulas.hpp "// Made from shaders/lib by cmake/formulas.cmake.\n#pragma once\n\n#include <glm/glm.hpp>\n")
+file(WRITE ${OUT}/formulas.hpp "// Made from shaders/lib by cmake/formulas.cmake.
+#pragma once
+
+#include <glm/glm.hpp>
+")
 write_namespace(f32 float "")
 write_namespace(f64 double "d")
 file(WRITE ${OUT}/formulas.cpp "#include \"formulas/formulas.hpp\"\n")

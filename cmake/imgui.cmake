@@ -1,4 +1,4 @@
-# The target `imgui`: Dear ImGui with its GLFW and OpenGL 3 backends, compiled from source for desktop and browser alike.
+# The target `imgui`: Dear ImGui with its GLFW and OpenGL 3 backends, compiled from source for desktop and browser.
 
 set(version 1.90.1)
 set(IMGUI_DIR ${PROJECT_SOURCE_DIR}/build/deps/imgui-${version} CACHE PATH "Sources of Dear ImGui, 1.90.1 or newer")

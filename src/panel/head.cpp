@@ -83,8 +83,7 @@ void head_section(Sheet& sheet) {
 
   ButtonGrid grid(sheet);
   PanelWishes& wishes = sheet.wishes;
-  if (grid.copy_button("copy_link", "Copy link", "A link to this very planet, for the clipboard."))
-    wishes.copy_link = true;
+  if (grid.copy_button("copy_link", "Copy link", "A link to this planet, for the clipboard.")) wishes.copy_link = true;
   if (grid.copy_button("copy_json", "Copy JSON", "This scene as JSON, for the clipboard.")) wishes.copy_json = true;
   if (grid.button("save_picture", "Picture", "Saves a picture of the planet.")) wishes.save_picture = true;
   if (grid.button("open", "Open", "Opens a scene from a JSON file.")) wishes.open_json = true;

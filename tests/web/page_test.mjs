@@ -1,0 +1,225 @@
+// The real page in a real browser.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { chromium } from 'playwright-core';
+import { serve } from './serve.mjs';
+
+const dist = process.env.TERRELLA_DIST;
+const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const size = { width: 320, height: 240 };
+
+let server, browser;
+before(async () => {
+  server = await serve(dist);
+  browser = await chromium.launch({ executablePath, args });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+// A page with all that went wrong in it.
+async function open(query = '', options = {}) {
+  const context = await browser.newContext({ viewport: size, screen: { width: 1920, height: 1080 }, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(120_000);
+  page.wrong = [];
+  page.on('console', message => { if (message.type() === 'error') page.wrong.push(message.text()); });
+  page.on('pageerror', error => page.wrong.push(error.message));
+  page.on('request', request => { if (!request.url().startsWith(server.url) && !request.url().startsWith('blob:')) page.wrong.push(request.url()); });
+  if (options.script) await page.addInitScript(options.script);
+  await page.goto(server.url + query);
+  await page.waitForFunction(() => window.terrella);
+  if (!options.broken) await page.evaluate(() => terrella.ready);
+  return page;
+}
+
+// Mean brightness and number of different colours of what is on screen.
+async function look(page) {
+  const png = (await page.screenshot()).toString('base64');
+  return page.evaluate(async data => {
+    const bytes = Uint8Array.from(atob(data), c => c.charCodeAt(0));
+    const picture = await createImageBitmap(new Blob([bytes]));
+    const sheet = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+    sheet.drawImage(picture, 0, 0);
+    const pixels = sheet.getImageData(0, 0, picture.width, picture.height).data;
+    const colors = new Set();
+    let sum = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      sum += pixels[i] + pixels[i + 1] + pixels[i + 2];
+      colors.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
+    }
+    return { brightness: sum / pixels.length / 0.75 / 255, colors: colors.size };
+  }, png);
+}
+
+const sleep = ms => new Promise(done => setTimeout(done, ms));
+
+describe('the page', () => {
+  test('opens small, from one host, without a complaint, and shows a planet', async () => {
+    Object.assign(server.log, { requests: 0, gzipped: 0, missing: [] });
+    const page = await open('?panel=0&pause=1');
+    assert.deepEqual(page.wrong, []);
+    assert.deepEqual(server.log.missing, []);
+    assert.ok(server.log.requests <= 8, `${server.log.requests} requests`);
+    assert.ok(server.log.gzipped <= 350_000, `${server.log.gzipped} bytes gzipped`);
+    const seen = await look(page);
+    assert.ok(seen.brightness > 0.03 && seen.colors > 500, JSON.stringify(seen));
+    await page.context().close();
+  });
+
+  test('takes a scene from its link and gives it back', async () => {
+    const page = await open('?preset=storm&waves.steepness=0.5&panel=0&pause=1');
+    assert.equal(await page.evaluate(() => terrella.get('waves.steepness')), 0.5);
+    assert.deepEqual(await page.evaluate(() => terrella.scene()), { terrella: 1, preset: 'storm', waves: { steepness: 0.5 } });
+    const link = new URL(await page.evaluate(() => terrella.link()));
+    assert.equal(link.searchParams.get('preset'), 'storm');
+    assert.equal(link.searchParams.get('waves.steepness'), '0.5');
+    assert.ok(link.href.startsWith(server.url));
+    await page.context().close();
+  });
+
+  test('refuses bad values with a sentence and keeps the rest', async () => {
+    const page = await open('?panel=0&pause=1&waves.steepness=7&clouds.coverage=0.2');
+    assert.equal(await page.evaluate(() => terrella.get('clouds.coverage')), 0.2);
+    assert.match((await page.evaluate(() => terrella.stats().issues)).join(' '), /waves\.steepness.*7/);
+    const sentence = await page.evaluate(() => { try { terrella.set('wavs.count', 3); } catch (error) { return error.message; } });
+    assert.match(sentence, /waves\.count/);
+    for (const value of [NaN, 1e300, 'much', null, {}]) {
+      const thrown = await page.evaluate(v => { try { terrella.set('waves.steepness', v); return ''; } catch (e) { return e.message; } }, value);
+      assert.match(thrown, /waves\.steepness/, String(value));
+    }
+    const skipped = await page.evaluate(() => terrella.load({ terrella: 1, water: { level: 'high' }, clouds: { coverage: 0.9 } }));
+    assert.equal(skipped.length, 1);
+    assert.equal(await page.evaluate(() => terrella.get('clouds.coverage')), 0.9);
+    await page.context().close();
+  });
+
+  test('follows the hand: drag, wheel and keys move the camera, and the address follows', async () => {
+    const page = await open('?panel=0&pause=1');
+    const camera = () => page.evaluate(() => ['latitude', 'longitude', 'altitude'].map(n => terrella.get('camera.' + n)));
+    const start = await camera();
+    const changes = await page.evaluate(() => { window.changes = 0; terrella.on('change', () => ++window.changes); return 0; });
+    assert.equal(changes, 0);
+    await page.mouse.move(160, 120);
+    await page.mouse.down();
+    await page.mouse.move(120, 140, { steps: 4 });
+    await page.mouse.up();
+    const dragged = await camera();
+    assert.notDeepEqual(dragged, start);
+    await page.mouse.wheel(0, -300);
+    await page.waitForFunction(altitude => terrella.get('camera.altitude') < 0.9 * altitude, start[2]);
+    await page.focus('canvas');
+    const longitude = (await camera())[1];
+    await page.keyboard.down('ArrowRight');
+    await page.waitForFunction(before => Math.abs(terrella.get('camera.longitude') - before) > 0.5, longitude);
+    await page.keyboard.up('ArrowRight');
+    await page.waitForFunction(() => location.search.includes('camera.altitude'));
+    assert.ok(await page.evaluate(() => window.changes) > 3);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('draws nothing while the clock stands and nobody touches it', async () => {
+    const page = await open('?panel=0&pause=1');
+    const frames = () => page.evaluate(() => terrella.stats().frames);
+    let before = -1;
+    for (let i = 0; i < 60 && before !== await frames(); ++i) {  // until it has settled
+      before = await frames();
+      await sleep(700);
+    }
+    const draws = await page.evaluate(() => {
+      let count = 0;
+      const gl = document.querySelector('canvas').getContext('webgl2');
+      for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'clear']) {
+        const original = gl[name];
+        gl[name] = function (...rest) { ++count; return original.apply(this, rest); };
+      }
+      return new Promise(done => setTimeout(() => done(count), 1500));
+    });
+    assert.equal(draws, 0);
+    assert.equal(await frames(), before);
+    await page.context().close();
+  });
+
+  test('moves while the clock runs', async () => {
+    const page = await open('?panel=0');
+    const frames = await page.evaluate(() => terrella.stats().frames);
+    await page.waitForFunction(before => terrella.stats().frames > before + 3, frames);
+    await page.context().close();
+  });
+
+  test('draws the same picture for the same time, and screenshots of any size', async () => {
+    const page = await open('?panel=0&pause=1&preset=archipelago');
+    const shot = seconds => page.evaluate(async s => {
+      terrella.render(s);
+      const blob = await terrella.screenshot({ width: 200, height: 120 });
+      const picture = await createImageBitmap(blob);
+      const bytes = new Uint8Array(await blob.arrayBuffer());
+      return { type: blob.type, width: picture.width, height: picture.height, bytes: Array.from(bytes).join() };
+    }, seconds);
+    const a = await shot(5), b = await shot(60), c = await shot(5);
+    assert.deepEqual([a.type, a.width, a.height], ['image/png', 200, 120]);
+    assert.equal(a.bytes, c.bytes);
+    assert.notEqual(a.bytes, b.bytes);
+    const refused = await page.evaluate(() => terrella.screenshot({ width: 0, height: 10 }).then(() => '', e => e.message));
+    assert.match(refused, /whole numbers/);
+    await page.context().close();
+  });
+
+  test('comes back after its context was lost, with the same scene', async () => {
+    const page = await open('?panel=0&pause=1&preset=moon');
+    await page.evaluate(() => {
+      window.loser = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+      loser.loseContext();
+    });
+    await sleep(300);
+    await page.evaluate(() => loser.restoreContext());
+    await page.waitForFunction(frames => terrella.stats().frames > frames, await page.evaluate(() => terrella.stats().frames));
+    assert.equal(await page.evaluate(() => terrella.scene().preset), 'moon');
+    const seen = await look(page);
+    assert.ok(seen.brightness > 0.02, JSON.stringify(seen));
+    await page.context().close();
+  });
+
+  test('shows its panel, which can be hidden', async () => {
+    const page = await open('?pause=1', { viewport: { width: 800, height: 500 } });
+    await sleep(500);
+    const shown = await look(page);
+    await page.focus('canvas');
+    await page.keyboard.press('h');
+    await sleep(800);
+    const hidden = await look(page);
+    assert.notEqual(shown.brightness.toFixed(4), hidden.brightness.toFixed(4));
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('is sharp on a screen with more pixels', async () => {
+    const page = await open('?panel=0&pause=1', { deviceScaleFactor: 2 });
+    assert.deepEqual(await page.evaluate(() => [document.querySelector('canvas').width, document.querySelector('canvas').height]), [640, 480]);
+    assert.deepEqual(await page.evaluate(() => terrella.stats().size), [640, 480]);
+    await page.context().close();
+  });
+
+  test('says in a sentence that it needs WebGL 2', async () => {
+    const page = await open('', {
+      broken: true,
+      script: () => {
+        const original = HTMLCanvasElement.prototype.getContext;
+        HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : original.call(this, kind, ...rest); };
+      },
+    });
+    const sentence = await page.evaluate(() => terrella.ready.then(() => '', error => error.message));
+    assert.match(sentence, /WebGL 2/);
+    assert.match(await page.textContent('#message'), /WebGL 2/);
+    await page.context().close();
+  });
+
+  test('says in a sentence that it needs WebAssembly', async () => {
+    const page = await open('', { broken: true, script: () => { delete window.WebAssembly; } });
+    assert.match(await page.evaluate(() => terrella.ready.then(() => '', error => error.message)), /WebAssembly/);
+    await page.context().close();
+  });
+});
