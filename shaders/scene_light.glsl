@@ -62,7 +62,8 @@ vec3 sky_along(vec3 up, vec3 ray) {
   if (ripple.z == 0.0) return vec3(0.0);
   Air air = scene_air();
   float cosine = max(dot(up, ray), 0.0);
-  float opacity = air.density * mix(0.22, 1.0, fresnel_alpha(cosine, 3.0));
+  float level = 1.0 - cosine;
+  float opacity = air.density * mix(0.22, 1.0, level * level * level);
   return sun_light.rgb * 0.55 * opacity * air_light(up, sun_direction.xyz, air);
 }
 

@@ -18,7 +18,7 @@ vec3 light_through(Water w, vec3 ray, float shade) {
   vec4 map = texture(ground_map, bottom);
   float depth = max(0.5 * (w.depth - map.w), 0.0);
 
-  vec3 extinction = extinction_of(water_tint.rgb) / max(water_clarity, 1.0e-9);
+  vec3 extinction = water_extinction.rgb;
   vec3 normal = surface_normal(bottom, 1.0, map.xyz);
   vec3 albedo = ground_albedo(bottom, min(map.w, 0.0), map.xyz, normal);
   float sun_dive = max(dot(w.up, sun_direction.xyz), 0.3);

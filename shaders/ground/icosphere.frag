@@ -73,7 +73,7 @@ void main() {
   }
   vec3 albedo = ground_albedo(up, map.w, gradient, normal);
   if (ground_map_scale.w > 0.0 && map.w < 0.0) {
-    albedo *= transmitted(extinction_of(water_tint.rgb), -2.0 * map.w / max(water_clarity, 1.0e-9));
+    albedo *= transmitted(water_extinction.rgb, -2.0 * map.w);
   }
   vec3 light = ground_light(albedo, up, normal, height, cloud_shade(surface_position));
   emit_surface(through_air(light, surface_from_eye), surface_from_eye, normal, height);

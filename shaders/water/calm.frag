@@ -32,11 +32,12 @@ void main() {
     rough += (1.0 - shown * shown) * strength * strength * water_ripples * water_ripples * 3.0;
     frequency *= 2.3;
   }
+  float own = water_roughness * water_roughness;
   Water w;
   w.up = up;
   w.normal = surface_normal(up, 1.0, gradient);
   w.depth = -map.w;
-  w.roughness = clamp(sqrt(sqrt(pow(water_roughness, 4.0) + rough)), 0.02, 1.0);
+  w.roughness = clamp(sqrt(sqrt(own * own + rough)), 0.02, 1.0);
   float line = water_clarity * 0.30;
   w.foam = water_foam * (1.0 - smoothstep(0.2, 1.0, w.depth / max(line, 1.0e-9) + 0.5 * wash));
   vec3 light = channel.x == 0 ? through_air(water_light(w, place, surface_from_eye), surface_from_eye) : vec3(0.0);

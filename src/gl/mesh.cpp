@@ -15,8 +15,7 @@ void count_draw(std::int64_t triangles) {
 
 }  // namespace
 
-Mesh::Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices)
-    : count_(static_cast<GLsizei>(indices.size())) {
+Mesh::Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices) {
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(vertices));
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(indices));
@@ -26,10 +25,14 @@ Mesh::Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> i
   memory_.set(static_cast<std::int64_t>(vertices.size_bytes() + indices.size_bytes()));
 }
 
-void Mesh::draw() const {
+void Mesh::draw(std::span<const Run> runs) const {
   glBindVertexArray(array_.name());
-  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
-  count_draw(triangles());
+  for (const auto& [first, end] : runs) {
+    const std::size_t offset = std::size_t{first} * 3 * sizeof(std::uint32_t);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - first)), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+    count_draw(std::int64_t{end} - first);
+  }
 }
 
 Squares::Squares(std::span<const float> data, int vec4s_each)

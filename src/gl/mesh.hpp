@@ -17,15 +17,16 @@ class Mesh {
   // vertices: positions or directions; indices: three a triangle, counter-clockwise from outside.
   Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices);
 
-  void draw() const;
-
-  [[nodiscard]] std::int64_t triangles() const { return count_ / 3; }
+  // Some of its triangles: whole runs of them, as [first, end).
+  struct Run {
+    std::uint32_t first, end;
+  };
+  void draw(std::span<const Run> runs) const;
 
  private:
   VertexArrayHandle array_;
   BufferHandle vertices_;
   BufferHandle indices_;
-  GLsizei count_;
   Holding memory_;
 };
 

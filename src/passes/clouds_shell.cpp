@@ -1,6 +1,5 @@
 #include "passes/clouds_shell.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +10,9 @@ namespace {
 
 // Noise evaluated in one frame while the maps are behind.
 constexpr std::int64_t noise_a_frame = 900'000;
+
+// Every step of time has its own channel, whatever came before it: pictures do not depend on their history.
+int channel_of(std::int64_t step) { return static_cast<int>(((step % 3) + 3) % 3); }
 
 }  // namespace
 
@@ -40,13 +42,12 @@ void CloudsShell::update(const Frame& frame) {
   const int pair = interval > 0.0 ? 2 : 1;
   const int all_rows = CubeBake::rows(*fine_);
 
-  if (frame.effort == Effort::complete || (channel_of(step) && job_step_ == step + 1)) {
+  if (frame.effort == Effort::complete || (holds(step) && job_step_ == step + 1)) {
     // What is missing is made at once: all of it, or the rest of the step that time has caught up with.
     while (advance(frame, step, pair, all_rows)) {
     }
   }
-  const std::optional<int> before = channel_of(step), after = channel_of(step + pair - 1);
-  coarse_in_use_ = !before || !after;
+  coarse_in_use_ = !holds(step) || !holds(step + pair - 1);
   if (coarse_in_use_) {
     const auto hasty_rows = static_cast<int>(noise_a_frame / (std::int64_t{key.texels} * key.octaves));
     if (frame.effort == Effort::live) advance(frame, step, pair, hasty_rows);
@@ -61,34 +62,28 @@ void CloudsShell::update(const Frame& frame) {
     if (due > done) advance(frame, step, 3, due - done);
   }
   moments_ = glm::dvec3(0.0);
-  moments_[*before] += 1.0 - blend;
-  moments_[*after] += blend;
+  moments_[channel_of(step)] += 1.0 - blend;
+  moments_[channel_of(step + pair - 1)] += blend;
 }
 
-std::optional<int> CloudsShell::channel_of(std::int64_t step) const {
-  for (int i = 0; i < 3; ++i) {
-    if (steps_.at(static_cast<std::size_t>(i)) == step) return i;
-  }
-  return std::nullopt;
-}
+bool CloudsShell::holds(std::int64_t step) const { return steps_.at(static_cast<std::size_t>(channel_of(step))) == step; }
 
 bool CloudsShell::advance(const Frame& frame, std::int64_t step, int steps, int rows) {
   std::int64_t missing = step;
-  while (missing < step + steps && channel_of(missing)) ++missing;
+  while (missing < step + steps && holds(missing)) ++missing;
   if (missing == step + steps) return false;
+  const int channel = channel_of(missing);
+  auto& held = steps_.at(static_cast<std::size_t>(channel));
   if (job_step_ != missing) {
-    const auto free = std::find_if(steps_.begin(), steps_.end(),
-                                   [&](const auto& held) { return !held || *held < step || *held >= step + steps; });
-    job_channel_ = static_cast<int>(free - steps_.begin());
-    free->reset();
+    held.reset();
     job_step_ = missing;
     job_.restart();
   }
-  glColorMask(job_channel_ == 0, job_channel_ == 1, job_channel_ == 2, GL_FALSE);
+  glColorMask(channel == 0, channel == 1, channel == 2, GL_FALSE);
   bake(frame, job_, *fine_, static_cast<double>(missing) * frame.needs.cloud_interval, rows);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (job_.done(*fine_)) {
-    steps_.at(static_cast<std::size_t>(job_channel_)) = missing;
+    held = missing;
     job_step_.reset();
   }
   return true;
@@ -126,7 +121,7 @@ void CloudsShell::draw(const Frame& frame) {
   draw_program_.use();
   glEnable(GL_CULL_FACE);
   glCullFace(above ? GL_BACK : GL_FRONT);
-  spheres_.directions(5).draw();
+  SphereMeshes::draw_visible(spheres_.directions(5), 5, frame.pose.eye, 0.999, shell);
   glCullFace(GL_BACK);
 }
 

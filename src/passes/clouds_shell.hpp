@@ -42,8 +42,8 @@ class CloudsShell {
   // Which step of time each channel of the map holds, once it is finished.
   using Steps = std::array<std::optional<std::int64_t>, 3>;
 
-  // The channel of a step; nothing if it is not there.
-  std::optional<int> channel_of(std::int64_t step) const;
+  // Whether the map holds a finished step.
+  [[nodiscard]] bool holds(std::int64_t step) const;
   // Makes rows of the first step missing from step on; returns false if none of the next few is missing.
   bool advance(const Frame& frame, std::int64_t step, int steps, int rows);
   void bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, double seconds, int rows);
@@ -57,7 +57,6 @@ class CloudsShell {
   Steps steps_;
   CubeBake job_, coarse_bake_;
   std::optional<std::int64_t> job_step_;
-  int job_channel_ = 0;
   bool coarse_in_use_ = true;
   glm::dvec3 moments_{1.0, 0.0, 0.0};
   std::int64_t noise_evaluations_ = 0;

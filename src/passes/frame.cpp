@@ -53,6 +53,9 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm:
   block.sea = glm::vec4(1.0 + level, sea.highest, static_cast<double>(sea.waves.size()), shoal);
   block.ripple = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripples ? scene.water.ripples : 0.0,
                            needs.air == Air::none ? 0.0 : 1.0, icosphere_edge(needs.water_level));
+  const Color tint = scene.water.tint;
+  const glm::dvec3 tint_light(linear_light(tint.r), linear_light(tint.g), linear_light(tint.b));
+  block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

@@ -32,6 +32,7 @@ struct FrameBlock {
   glm::vec4 cloud_moments;
   glm::vec4 sea;
   glm::vec4 ripple;
+  glm::vec4 water_extinction;
   glm::ivec4 channel;
 };
 

@@ -12,6 +12,12 @@ namespace {
 constexpr std::int64_t map_noise_a_frame = 1'600'000;
 constexpr std::int64_t mesh_noise_a_frame = 120'000;
 
+// A flat triangle of a coarse mesh dips below the sphere.
+double lowest_of(int level) {
+  const double edge = icosphere_edge(std::min(level, coarse_level));
+  return 1.0 - 0.2 * edge * edge;
+}
+
 }  // namespace
 
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
@@ -96,7 +102,9 @@ void GroundIcosphere::draw(const Frame& frame) {
   const LayerBlock block = layer_block(frame.scene, frame.pose);
   layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   draw_program_.use();
-  (fine_done_ ? fine_mesh_ : coarse_mesh_)->draw();
+  const double highest = 1.0 + frame.scene.terrain.height / frame.scene.planet.radius;
+  SphereMeshes::draw_visible(fine_done_ ? *fine_mesh_ : *coarse_mesh_, fine_done_ ? key_->level : coarse_level,
+                             frame.pose.eye, lowest_of(key_->level), highest);
 }
 
 }  // namespace terrella

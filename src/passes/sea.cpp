@@ -34,7 +34,9 @@ void SeaPass::draw(const Frame& frame) {
     waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));
   }
   program_.use();
-  spheres_.directions(frame.needs.water_level).draw();
+  const double level = 1.0 + frame.scene.water.level / frame.scene.planet.radius;
+  SphereMeshes::draw_visible(spheres_.directions(frame.needs.water_level), frame.needs.water_level, frame.pose.eye,
+                             0.999 * level - frame.sea.highest, level + frame.sea.highest);
 }
 
 }  // namespace terrella

@@ -20,4 +20,10 @@ const gl::Mesh& SphereMeshes::directions(int level) {
   return *entry;
 }
 
+void SphereMeshes::draw_visible(const gl::Mesh& mesh, int level, const glm::dvec3& eye, double lowest, double highest) {
+  std::vector<gl::Mesh::Run> runs;
+  for (const auto& [first, end] : visible_triangles(level, eye, lowest, highest)) runs.push_back({first, end});
+  mesh.draw(runs);
+}
+
 }  // namespace terrella

@@ -17,6 +17,9 @@ class SphereMeshes {
   // A mesh of unit directions of a level, on the GPU.
   const gl::Mesh& directions(int level);
 
+  // Draws what of a mesh of a level may be seen. lowest, highest: radii between which its surface lies.
+  static void draw_visible(const gl::Mesh& mesh, int level, const glm::dvec3& eye, double lowest, double highest);
+
  private:
   std::array<std::unique_ptr<Icosphere>, max_icosphere_level + 1> geometry_;
   std::array<std::unique_ptr<gl::Mesh>, max_icosphere_level + 1> directions_;
