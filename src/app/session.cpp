@@ -133,6 +133,7 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
   const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
   if (down && !typing && !modifiers.control) {
     keys_down_.insert(key);
+    keys_tapped_.insert(key);
     if (key == Key::space) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
   } else {
@@ -142,7 +143,8 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
 }
 
 void Session::update_pushes() {
-  const auto held = [&](Key a, Key b) { return keys_down_.count(a) + keys_down_.count(b) > 0 ? 1.0 : 0.0; };
+  const auto pressed = [&](Key key) { return keys_down_.count(key) + keys_tapped_.count(key) > 0; };
+  const auto held = [&](Key a, Key b) { return pressed(a) || pressed(b) ? 1.0 : 0.0; };
   CameraControl::Push push;
   push.right = held(Key::right, Key::d) - held(Key::left, Key::a);
   push.ahead = held(Key::up, Key::w) - held(Key::down, Key::s);
@@ -184,6 +186,10 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
 
   if (camera_.tick(document_.scene, view(), elapsed)) scene_was_changed();
+  if (elapsed > 0.0 && !keys_tapped_.empty()) {
+    keys_tapped_.clear();
+    update_pushes();
+  }
   advance_clock(elapsed);
   const bool panel_wanted = panel_shown_ && (panel_frames_ > 0 || planet_stale_);
   if (panel_wanted) run_panel();

@@ -114,6 +114,7 @@ class Session {
   Drag drag_ = Drag::none;
   double last_drag_time_ = 0.0;
   std::set<Key> keys_down_;
+  std::set<Key> keys_tapped_;  // since the camera last moved: a tap may be shorter than a frame
   Modifiers modifiers_;
   bool hand_on_value_ = false;
 
