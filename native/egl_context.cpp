@@ -39,7 +39,6 @@ Result<std::unique_ptr<EglContext>> EglContext::make(Api api) {
   }
   const EGLContext context = create_context(display, api);
   if (context == EGL_NO_CONTEXT || eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
-    eglTerminate(display);
     return Failure{api == Api::core ? "This machine has no OpenGL 3.3; with --gl es it may have OpenGL ES 3.0."
                                     : "This machine has no OpenGL ES 3.0; with --gl core it may have OpenGL 3.3."};
   }
@@ -51,8 +50,8 @@ Result<std::unique_ptr<EglContext>> EglContext::make(Api api) {
 
 EglContext::~EglContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  // The display stays: it is the process's, other contexts may share it.
   eglDestroyContext(display_, context_);
-  eglTerminate(display_);
 }
 
 }  // namespace terrella
