@@ -117,8 +117,9 @@ std::vector<TriangleRun> visible_triangles(int level, const glm::dvec3& eye, dou
   for (std::uint32_t i = 0; i < count; ++i) {
     const glm::dvec3& corner = groups.directions[groups.indices[3 * std::size_t{i}]];
     if (glm::dot(corner, eye) < least_cosine * distance) continue;
-    if (!runs.empty() && runs.back().end == i * each) {
-      runs.back().end += each;
+    // A short gap is drawn along: a further draw call costs more.
+    if (!runs.empty() && i * each - runs.back().end <= 6 * each) {
+      runs.back().end = (i + 1) * each;
     } else {
       runs.push_back({i * each, (i + 1) * each});
     }
