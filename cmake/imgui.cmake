@@ -31,3 +31,4 @@ if(EMSCRIPTEN)
 else()
   target_link_libraries(imgui PUBLIC glfw PRIVATE ${CMAKE_DL_LIBS})
 endif()
+target_compile_options(imgui PRIVATE -fno-sanitize=all)  # not ours to check, and slow to compile
