@@ -9,11 +9,12 @@ layout(std140) uniform FrameBlock {
   vec4 sun_direction;      // unit; w: exposure, a factor
   vec4 sun_light;          // linear colour times intensity
   vec4 ground_map_scale;   // x: angle of a texel; y, z: first and end of the octaves computed per pixel; w: 1 if water hides the ground under it
-  vec4 cloud_turn;         // x, y: cosine and sine of the drift; w: 1 if there are clouds
+  vec4 cloud_turn;         // x, y: cosine and sine of the drift; z: level of their map that pixels can show; w: 1 if there are clouds
   vec4 cloud_moments;      // xyz: weights of the moments that the map of the clouds holds
   vec4 sea;                // x: radius; y: most that waves rise over it; z: number of waves; w: depth at which they are whole
   vec4 ripple;             // x: angle of the turned gradients; y: steepness, 0 where there are none; z: 1 if there is air; w: edge of the sea's mesh, rad
   vec4 water_extinction;   // xyz: of light in water, per radius
+  vec4 ground_bands;       // x: sine of the latitude from which snow lies at the water's edge; above 1: nowhere
   ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
 };
 

@@ -18,7 +18,7 @@ Bands scene_bands() {
   b.snow_height = terrain_snow_height;
   b.softness = terrain_softness;
   b.slope_rock = terrain_slope_rock;
-  b.snow_sine = terrain_snow_latitude >= 90.0 ? 2.0 : sin(radians(terrain_snow_latitude));
+  b.snow_sine = ground_bands.x;
   return b;
 }
 
@@ -29,8 +29,8 @@ vec3 ground_albedo(vec3 up, float height, vec3 gradient, vec3 normal) {
   return ground_color(height, 1.0 - dot(up, normal), up.z, variation, scene_bands());
 }
 
-// Light that the ground sends to the eye. place: position; shade: part of the sunlight left by the clouds.
-vec3 ground_light(vec3 albedo, vec3 up, vec3 normal, float height, float shade) {
+// Light that the ground sends to the eye. shade: part of the sunlight left by the clouds.
+vec3 ground_light(vec3 albedo, vec3 normal, LightAt at, float shade) {
   float cosine = max(dot(normal, sun_direction.xyz), 0.0);
-  return albedo * (sunlight_at(up, height) * cosine * shade + skylight_at(up, normal) * mix(0.7, 1.0, shade)) * 0.6;
+  return albedo * (at.sun * (cosine * shade) + skylight(at, normal) * mix(0.7, 1.0, shade)) * 0.6;
 }

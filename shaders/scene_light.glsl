@@ -1,4 +1,5 @@
-// How the scene's light, air and clouds act on any surface: the formulas of lib fed with the scene's parameters.
+// How the scene's light, air and clouds act on any surface: the formulas of lib fed with the scene's parameters. What
+// several surfaces at one place share is computed once (LightAt).
 #include "scene_block.glsl"
 #include "frame_block.glsl"
 #include "lib/air.glsl"
@@ -22,7 +23,7 @@ Air scene_air() {
 float cloud_noise(vec3 direction, float blur) {
   vec3 d = vec3(cloud_turn.x * direction.x + cloud_turn.y * direction.y,
                 cloud_turn.x * direction.y - cloud_turn.y * direction.x, direction.z);
-  return dot(texture(clouds_map, d, blur).rgb, cloud_moments.xyz);
+  return dot(textureLod(clouds_map, d, cloud_turn.z + blur).rgb, cloud_moments.xyz);
 }
 
 // Thickness of the clouds over a place, 0..1.
@@ -40,43 +41,46 @@ float cloud_shade(vec3 place) {
   return 1.0 - 0.85 * clouds_shadow * clouds_density * cloud_over(normalize(place + way * sun), 1.0);
 }
 
-// Sunlight on a place before any cosine: reddened where the sun stands low, gone in the planet's own shadow.
-vec3 sunlight_at(vec3 up, float height) {
+// The light that reaches a place.
+struct LightAt {
+  vec3 up;   // unit, from the planet's centre to the place
+  vec3 sun;  // sunlight before any cosine
+  vec3 air;  // what the air around the place sends on
+};
+
+// height: over the sphere, planet radii.
+LightAt light_at(vec3 up, float height) {
+  LightAt at;
+  at.up = up;
+  // Reddened where the sun stands low, gone in the planet's own shadow.
   float climb = dot(up, sun_direction.xyz);
   float dip = sqrt(2.0 * max(height, 0.0));
   float risen = smoothstep(-0.02 - dip, 0.10, climb);
   float low = 1.0 - smoothstep(0.0, 0.30, climb);
   vec3 reddened = mix(vec3(1.0), air_dusk_color.rgb * 1.1, 0.62 * ripple.z * air_density * low * low);
-  return sun_light.rgb * reddened * risen;
+  at.sun = sun_light.rgb * reddened * risen;
+  at.air = sun_light.rgb * ripple.z * air_light(up, sun_direction.xyz, scene_air());
+  return at;
 }
 
 // Light from the sky and from all around on a surface that faces along normal.
-vec3 skylight_at(vec3 up, vec3 normal) {
-  float open = 0.5 + 0.5 * dot(normal, up);
-  vec3 sky = ripple.z > 0.0 ? air_light(up, sun_direction.xyz, scene_air()) * 0.22 * air_density : vec3(0.0);
-  return sun_light.rgb * (sky * open + sun_ambient * vec3(0.32, 0.40, 0.62));
+vec3 skylight(LightAt at, vec3 normal) {
+  float open = 0.5 + 0.5 * dot(normal, at.up);
+  return at.air * (0.22 * air_density * open) + sun_light.rgb * sun_ambient * vec3(0.32, 0.40, 0.62);
 }
 
-// Light of the sky itself where one looks along a ray from a place on the planet.
-vec3 sky_along(vec3 up, vec3 ray) {
-  if (ripple.z == 0.0) return vec3(0.0);
-  Air air = scene_air();
-  float cosine = max(dot(up, ray), 0.0);
-  float level = 1.0 - cosine;
-  float opacity = air.density * mix(0.22, 1.0, level * level * level);
-  return sun_light.rgb * 0.55 * opacity * air_light(up, sun_direction.xyz, air);
+// Light of the sky itself where one looks along a ray from the place.
+vec3 sky_along(LightAt at, vec3 ray) {
+  float level = 1.0 - max(dot(at.up, ray), 0.0);
+  return at.air * (0.55 * air_density * mix(0.22, 1.0, level * level * level));
 }
 
 // The light of a surface as it arrives at the eye through the air before it. offset: from the eye to the surface.
-vec3 through_air(vec3 light, vec3 offset) {
-  if (ripple.z == 0.0) return light;
+vec3 through_air(vec3 light, LightAt at, vec3 offset) {
   Air air = scene_air();
   float distance_to = length(offset);
-  vec3 ray = offset / distance_to;
-  vec3 eye = eye_position();
-  AirPath path = air_path(eye, ray, air.top);
+  AirPath path = air_path(eye_position(), offset / distance_to, air.top);
   float before = clamp(distance_to - path.enter, 0.0, path.leave - path.enter);
   float opacity = air_opacity_before(air_opacity(path.cosine, air), path.cosine, before, air.top);
-  vec3 up = normalize(eye + offset);
-  return mix(light, sun_light.rgb * 0.55 * air_light(up, sun_direction.xyz, air), opacity);
+  return mix(light, 0.55 * at.air, ripple.z * opacity);
 }

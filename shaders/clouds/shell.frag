@@ -2,11 +2,10 @@
 #include "scene_light.glsl"
 #include "output.glsl"
 
-in vec3 surface_position;
 in vec3 surface_from_eye;
 
 void main() {
-  vec3 up = normalize(surface_position);
+  vec3 up = normalize(eye_position() + surface_from_eye);
   float noise = cloud_noise(up, 0.0);
   float thickness = cloud_thickness(noise, clouds_coverage, clouds_softness);
   if (thickness <= 0.0) discard;
@@ -20,10 +19,11 @@ void main() {
   float from_below = dot(up, to_eye) < 0.0 ? 1.5 * thickness : 0.0;
   float depth = max(0.5 + 2.6 * rise, 0.0) + from_below;
   float self_shade = mix(1.0, exp(-depth) * 1.25, clouds_shadow);
-  vec3 sunlit = sunlight_at(up, clouds_height) * wrap_diffuse(climb, 0.25) * self_shade;
-  vec3 light = clouds_color.rgb * (sunlit + 1.6 * skylight_at(up, up)) * 0.5;
+  LightAt at = light_at(up, clouds_height);
+  vec3 sunlit = at.sun * (wrap_diffuse(climb, 0.25) * self_shade);
+  vec3 light = clouds_color.rgb * (sunlit + 1.6 * skylight(at, up)) * 0.5;
   // A shell seen along its edge would end in a line.
   float edge = smoothstep(0.0, 0.16, abs(dot(up, to_eye)));
   float opacity = clouds_density * thickness * edge;
-  emit_veil(through_air(light, surface_from_eye) * opacity, opacity);
+  emit_veil(through_air(light, at, surface_from_eye) * opacity, opacity);
 }

@@ -3,11 +3,9 @@
 
 layout(location = 0) in vec3 direction;
 
-out vec3 surface_position;
 out vec3 surface_from_eye;
 
 void main() {
-  surface_position = direction * (1.0 + clouds_height);
-  surface_from_eye = from_eye(surface_position);
+  surface_from_eye = from_eye(direction * (1.0 + clouds_height));
   gl_Position = clip_from_eye * vec4(surface_from_eye, 1.0);
 }

@@ -2,11 +2,9 @@
 
 layout(location = 0) in vec3 direction;
 
-out vec3 still_direction;  // of the place that the water is at when still
 out vec3 surface_from_eye;
 
 void main() {
-  still_direction = direction;
   surface_from_eye = from_eye(direction * sea.x);
   gl_Position = clip_from_eye * vec4(surface_from_eye, 1.0);
 }

@@ -1,7 +1,11 @@
 // What the project asks of the GPU, counted where it is asked: memory held, and work since the last frame began.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace terrella::gl {
 
@@ -10,6 +14,7 @@ struct Ledger {
   int textures = 0;        // textures alive
   int draw_calls = 0;      // since begin_frame
   std::int64_t triangles = 0;
+  std::vector<std::string> programs;  // names of those that are held
 };
 
 Ledger& ledger();
@@ -44,6 +49,22 @@ class CountedTexture {
   ~CountedTexture() { --ledger().textures; }
   CountedTexture(const CountedTexture&) = delete;
   CountedTexture& operator=(const CountedTexture&) = delete;
+};
+
+// A program by name, listed for as long as its owner lives.
+class ListedProgram {
+ public:
+  explicit ListedProgram(std::string name) : name_(std::move(name)) { ledger().programs.push_back(name_); }
+  ~ListedProgram() {
+    auto& names = ledger().programs;
+    names.erase(std::find(names.begin(), names.end(), name_));
+  }
+  ListedProgram(const ListedProgram&) = delete;
+  ListedProgram& operator=(const ListedProgram&) = delete;
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
 };
 
 void begin_frame();

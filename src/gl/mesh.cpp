@@ -3,9 +3,9 @@
 namespace terrella::gl {
 namespace {
 
-void upload(GLenum target, const BufferHandle& buffer, std::span<const std::byte> bytes) {
+void upload(GLenum target, const BufferHandle& buffer, std::span<const std::byte> bytes, GLenum usage = GL_STATIC_DRAW) {
   glBindBuffer(target, buffer.name());
-  glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+  glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
 }
 
 void count_draw(std::int64_t triangles) {
@@ -15,24 +15,35 @@ void count_draw(std::int64_t triangles) {
 
 }  // namespace
 
-Mesh::Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices) {
+Mesh::Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices)
+    : indices_(indices), vertex_bytes_(static_cast<std::int64_t>(vertices.size_bytes())) {
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(vertices));
-  upload(GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(indices));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chosen_.name());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
   glBindVertexArray(0);
-  memory_.set(static_cast<std::int64_t>(vertices.size_bytes() + indices.size_bytes()));
+  memory_.set(vertex_bytes_);
 }
 
-void Mesh::draw(std::span<const Run> runs) const {
-  glBindVertexArray(array_.name());
+void Mesh::choose(std::vector<Run> runs) {
+  std::vector<std::uint32_t> chosen;
   for (const auto& [first, end] : runs) {
-    const std::size_t offset = std::size_t{first} * 3 * sizeof(std::uint32_t);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - first)), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(offset));
-    count_draw(std::int64_t{end} - first);
+    const auto run = indices_.subspan(3 * std::size_t{first}, 3 * std::size_t{end - first});
+    chosen.insert(chosen.end(), run.begin(), run.end());
   }
+  upload(GL_ELEMENT_ARRAY_BUFFER, chosen_, std::as_bytes(std::span(chosen)), GL_DYNAMIC_DRAW);
+  triangles_ = static_cast<std::int64_t>(chosen.size() / 3);
+  memory_.set(vertex_bytes_ + static_cast<std::int64_t>(std::span(chosen).size_bytes()));
+  runs_ = std::move(runs);
+}
+
+void Mesh::draw(std::vector<Run> runs) {
+  glBindVertexArray(array_.name());
+  if (runs != runs_) choose(std::move(runs));
+  if (triangles_ == 0) return;
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles_), GL_UNSIGNED_INT, nullptr);
+  count_draw(triangles_);
 }
 
 Squares::Squares(std::span<const float> data, int vec4s_each)
@@ -55,6 +66,12 @@ void Squares::draw() const {
   glBindVertexArray(array_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
   count_draw(2 * std::int64_t{count_});
+}
+
+void Strip::draw(int vertices) const {
+  glBindVertexArray(array_.name());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, vertices);
+  count_draw(vertices - 2);
 }
 
 void FullScreen::draw() const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -11,22 +12,31 @@
 
 namespace terrella::gl {
 
-// Triangles with one vec3 a vertex (attribute 0).
+// Triangles with one vec3 a vertex (attribute 0), of which some are chosen to be drawn, in one draw call.
 class Mesh {
  public:
-  // vertices: positions or directions; indices: three a triangle, counter-clockwise from outside.
+  // vertices: positions or directions; indices: three a triangle, counter-clockwise from outside. They must outlive the
+  // mesh.
   Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices);
 
-  // Some of its triangles: whole runs of them, as [first, end).
+  // Triangles [first, end).
   struct Run {
     std::uint32_t first, end;
+    bool operator==(const Run&) const = default;
   };
-  void draw(std::span<const Run> runs) const;
+  // Draws the triangles of the runs. Uploads their indices where the runs differ from those of the last time.
+  void draw(std::vector<Run> runs);
 
  private:
+  void choose(std::vector<Run> runs);
+
   VertexArrayHandle array_;
   BufferHandle vertices_;
-  BufferHandle indices_;
+  BufferHandle chosen_;
+  std::span<const std::uint32_t> indices_;
+  std::vector<Run> runs_;
+  std::int64_t triangles_ = 0;
+  std::int64_t vertex_bytes_;
   Holding memory_;
 };
 
@@ -44,6 +54,16 @@ class Squares {
   BufferHandle vertices_;
   GLsizei count_;
   Holding memory_;
+};
+
+// A strip of triangles whose vertex shader makes it from gl_VertexID.
+class Strip {
+ public:
+  // vertices: 3 or more.
+  void draw(int vertices) const;
+
+ private:
+  VertexArrayHandle array_;
 };
 
 // One triangle that covers the whole picture; its vertex shader makes the corners from gl_VertexID.

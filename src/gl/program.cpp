@@ -46,9 +46,9 @@ void bind_block(GLuint program, const char* name, Block block) {
 
 }  // namespace
 
-Program::Program(std::string_view name, std::string_view vertex) : name_(name) {
+Program::Program(std::string_view name, std::string_view vertex) : listed_(std::string(name)) {
   attach(id(), GL_VERTEX_SHADER, std::string(vertex.empty() ? name : vertex) + ".vert");
-  attach(id(), GL_FRAGMENT_SHADER, name_ + ".frag");
+  attach(id(), GL_FRAGMENT_SHADER, std::string(name) + ".frag");
   glLinkProgram(id());
 }
 
@@ -72,7 +72,7 @@ void Program::use() {
 void Program::finish() {
   GLint linked = GL_FALSE;
   glGetProgramiv(id(), GL_LINK_STATUS, &linked);
-  CHECK(linked == GL_TRUE, name_, shader_logs(id()));
+  CHECK(linked == GL_TRUE, this->name(), shader_logs(id()));
   bind_block(id(), "SceneBlock", block_scene);
   bind_block(id(), "FrameBlock", block_frame);
   bind_block(id(), "WaveBlock", block_waves);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "gl/handle.hpp"
+#include "gl/ledger.hpp"
 
 namespace terrella::gl {
 
@@ -25,13 +26,13 @@ class Program {
   void set(const char* name, float x, float y) const;
   void set(const char* name, float x, float y, float z, float w) const;
 
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& name() const { return listed_.name(); }
   [[nodiscard]] GLuint id() const { return handle_.name(); }
 
  private:
   void finish();
 
-  std::string name_;
+  ListedProgram listed_;
   ProgramHandle handle_;
   bool finished_ = false;
 };

@@ -3,20 +3,18 @@
 
 #include "gl/mesh.hpp"
 #include "gl/program.hpp"
+#include "passes/frame.hpp"
 
 namespace terrella {
 
 class AirFresnel {
  public:
   bool ready() { return program_.ready(); }
-  void draw() {
-    program_.use();
-    triangle_.draw();
-  }
+  void draw(const Frame& frame);
 
  private:
   gl::Program program_{"air/fresnel"};
-  gl::FullScreen triangle_;
+  gl::Strip strip_;
 };
 
 }  // namespace terrella

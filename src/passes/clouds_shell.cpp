@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -118,10 +119,14 @@ void CloudsShell::bind_map() const { (coarse_in_use_ ? coarse_ : fine_)->bind(gl
 void CloudsShell::draw(const Frame& frame) {
   const double shell = 1.0 + frame.scene.clouds.height / frame.scene.planet.radius;
   const bool above = glm::dot(frame.pose.eye, frame.pose.eye) > shell * shell;
+  // From above, the near side of the shell is seen; from below, all of it that the ground does not hide.
+  const int level = frame.needs.cloud_level;
+  const double occluder = (above ? shell : 1.0) * (1.0 - icosphere_sag(level));
+  const std::vector<float> tops(group_count, static_cast<float>(shell));
   draw_program_.use();
   glEnable(GL_CULL_FACE);
   glCullFace(above ? GL_BACK : GL_FRONT);
-  SphereMeshes::draw_visible(spheres_.directions(5), 5, frame.pose.eye, 0.999, shell);
+  SphereMeshes::draw_visible(spheres_.directions(level), level, frame.pose.eye, occluder, tops);
   glCullFace(GL_BACK);
 }
 

@@ -23,6 +23,12 @@ double turned(double speed, double seconds) {
 
 }  // namespace
 
+RadiusRange water_range(const Frame& frame) {
+  if (frame.needs.water == Water::none) return {};
+  const double level = 1.0 + frame.scene.water.level / frame.scene.planet.radius;
+  return {(level - frame.sea.highest) * (1.0 - icosphere_sag(frame.needs.water_level)), level + frame.sea.highest};
+}
+
 FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm::dvec3& cloud_moments) {
   const auto& [scene, view, pose, needs, sea, channel, effort] = frame;
   const double aspect = static_cast<double>(view.width) / view.height;
@@ -46,7 +52,10 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm:
   block.sun_light = vector(sun_color * scene.sun.intensity);
   block.ground_map_scale = glm::vec4(ground_texel_angle, needs.pixel_octaves_first, needs.pixel_octaves_end,
                                      needs.water == Water::none ? 0.0 : 1.0);
-  block.cloud_turn = glm::vec4(std::cos(drift), std::sin(drift), 0.0, needs.clouds == Clouds::none ? 0.0 : 1.0);
+  const double shell = 1.0 + scene.clouds.height / radius;
+  const double pixel = std::abs(glm::length(pose.eye) - shell) * pose.pixel_angle;  // on the nearest clouds, rad
+  const double cloud_level = std::max(0.0, std::log2(pixel / texel_angle(std::max(needs.cloud_texels, 1))));
+  block.cloud_turn = glm::vec4(std::cos(drift), std::sin(drift), cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
   block.cloud_moments = vector(cloud_moments);
   // Waves feel the ground where the water is a few of their heights deep.
   const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
@@ -56,6 +65,7 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm:
   const Color tint = scene.water.tint;
   const glm::dvec3 tint_light(linear_light(tint.r), linear_light(tint.g), linear_light(tint.b));
   block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
+  block.ground_bands = glm::vec4(scene.terrain.snow_latitude >= 90.0 ? 2.0 : std::sin(glm::radians(scene.terrain.snow_latitude)), 0.0, 0.0, 0.0);
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "planet/icosphere_groups.hpp"
 #include "planet/needs.hpp"
 #include "planet/pose.hpp"
 #include "planet/waves.hpp"
@@ -33,6 +34,7 @@ struct FrameBlock {
   glm::vec4 sea;
   glm::vec4 ripple;
   glm::vec4 water_extinction;
+  glm::vec4 ground_bands;
   glm::ivec4 channel;
 };
 
@@ -45,6 +47,9 @@ struct Frame {
   Channel channel = Channel::color;
   Effort effort = Effort::complete;
 };
+
+// Between which radii the water is drawn, troughs and the dips of flat triangles included; 0 and 0 where there is none.
+RadiusRange water_range(const Frame& frame);
 
 // cloud_moments: weights of the moments that the map of the clouds holds.
 FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm::dvec3& cloud_moments);

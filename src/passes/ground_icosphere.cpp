@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
 #include "passes/layers.hpp"
 #include "planet/terrain.hpp"
 
@@ -12,17 +14,16 @@ namespace {
 constexpr std::int64_t map_noise_a_frame = 1'600'000;
 constexpr std::int64_t mesh_noise_a_frame = 120'000;
 
-// A flat triangle of a coarse mesh dips below the sphere.
-double lowest_of(int level) {
-  const double edge = icosphere_edge(std::min(level, coarse_level));
-  return 1.0 - 0.2 * edge * edge;
-}
+bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.lowest; }
 
 }  // namespace
 
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
-bool GroundIcosphere::ready() { return bake_program_.ready() && draw_program_.ready(); }
+bool GroundIcosphere::ready(const Needs& needs) {
+  draw_program_.want(needs.pixel_octaves_end > needs.pixel_octaves_first ? "ground/icosphere_near" : "ground/icosphere");
+  return bake_program_.ready() && draw_program_.ready();
+}
 
 void GroundIcosphere::update(const Frame& frame) {
   noise_evaluations_ = 0;
@@ -44,6 +45,11 @@ void GroundIcosphere::update(const Frame& frame) {
   }
 }
 
+GroundIcosphere::Surface GroundIcosphere::make_surface(int level, std::span<const glm::vec3> positions) {
+  const Icosphere& sphere = spheres_.geometry(level);
+  return {level, gl::Mesh(positions, sphere.indices), radius_ranges(sphere, level, positions)};
+}
+
 void GroundIcosphere::make_coarse(const Frame& frame) {
   if (!coarse_map_) coarse_map_ = std::make_unique<gl::CubeMap>(coarse_ground_texels, gl::Format::rgba16f);
   coarse_bake_.restart();
@@ -51,7 +57,7 @@ void GroundIcosphere::make_coarse(const Frame& frame) {
   const Icosphere& sphere = spheres_.geometry(coarse_level);
   std::vector<glm::vec3> positions;
   displace(frame, sphere, coarse_level, sphere.directions.size(), positions);
-  coarse_mesh_ = std::make_unique<gl::Mesh>(positions, sphere.indices);
+  coarse_ = make_surface(coarse_level, positions);
   coarse_done_ = true;
 }
 
@@ -72,7 +78,7 @@ void GroundIcosphere::advance_fine(const Frame& frame) {
     displace(frame, sphere, key_->level, std::min(end, sphere.directions.size()), fine_positions_);
   }
   if (fine_bake_.done(*fine_map_) && fine_positions_.size() == sphere.directions.size()) {
-    fine_mesh_ = std::make_unique<gl::Mesh>(fine_positions_, sphere.indices);
+    fine_ = make_surface(key_->level, fine_positions_);
     fine_done_ = true;
   }
 }
@@ -101,10 +107,18 @@ double GroundIcosphere::map_texel_angle() const { return texel_angle((fine_done_
 void GroundIcosphere::draw(const Frame& frame) {
   const LayerBlock block = layer_block(frame.scene, frame.pose);
   layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
-  draw_program_.use();
-  const double highest = 1.0 + frame.scene.terrain.height / frame.scene.planet.radius;
-  SphereMeshes::draw_visible(fine_done_ ? *fine_mesh_ : *coarse_mesh_, fine_done_ ? key_->level : coarse_level,
-                             frame.pose.eye, lowest_of(key_->level), highest);
+  draw_program_.use(frame.effort == Effort::complete);
+  Surface& surface = fine_done_ ? *fine_ : *coarse_;
+  const RadiusRange water = water_range(frame);
+  const double lowest = std::min_element(surface.ranges.begin(), surface.ranges.end(), lower)->lowest;
+  // Seen from above, water hides what lies under it.
+  const bool above_water = glm::length(frame.pose.eye) > water.highest;
+  std::vector<float> tops;
+  tops.reserve(group_count);
+  for (const RadiusRange& range : surface.ranges) {
+    tops.push_back(above_water && range.highest < water.lowest ? 0.0F : static_cast<float>(range.highest));
+  }
+  SphereMeshes::draw_visible(surface.mesh, surface.level, frame.pose.eye, std::max(lowest, water.lowest), tops);
 }
 
 }  // namespace terrella

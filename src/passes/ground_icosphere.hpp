@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
 #include "passes/cube_bake.hpp"
 #include "passes/frame.hpp"
@@ -17,7 +19,8 @@ class GroundIcosphere {
  public:
   explicit GroundIcosphere(SphereMeshes& spheres);
 
-  bool ready();
+  // Asks for the programs that the needs call for; true once drawing will not wait for them.
+  bool ready(const Needs& needs);
 
   // Brings mesh and map up to date, as far as the frame's effort allows. Needs the scene's uniform block.
   void update(const Frame& frame);
@@ -28,6 +31,8 @@ class GroundIcosphere {
   [[nodiscard]] double map_texel_angle() const;
 
   void draw(const Frame& frame);
+  // Where the surface lies that is drawn, over each group of the icosphere.
+  [[nodiscard]] std::span<const RadiusRange> ranges() const { return drawn().ranges; }
 
   // Whether nothing finer is still to come.
   [[nodiscard]] bool settled() const { return fine_done_; }
@@ -44,6 +49,14 @@ class GroundIcosphere {
     bool operator==(const Key&) const = default;
   };
 
+  struct Surface {
+    int level;
+    gl::Mesh mesh;
+    std::vector<RadiusRange> ranges;
+  };
+
+  [[nodiscard]] const Surface& drawn() const { return fine_done_ ? *fine_ : *coarse_; }
+  Surface make_surface(int level, std::span<const glm::vec3> positions);
   void make_coarse(const Frame& frame);
   void advance_fine(const Frame& frame);
   void bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, int rows);
@@ -53,10 +66,10 @@ class GroundIcosphere {
 
   SphereMeshes& spheres_;
   gl::Program bake_program_{"ground/bake", "picture/cube_face"};
-  gl::Program draw_program_{"ground/icosphere"};
+  gl::ProgramChoice draw_program_{"ground/icosphere"};
   gl::UniformBuffer layers_;
   std::optional<Key> key_;
-  std::unique_ptr<gl::Mesh> coarse_mesh_, fine_mesh_;
+  std::optional<Surface> coarse_, fine_;
   std::unique_ptr<gl::CubeMap> coarse_map_, fine_map_;
   CubeBake coarse_bake_, fine_bake_;
   std::vector<glm::vec3> fine_positions_;

@@ -1,6 +1,7 @@
 #include "passes/sea.hpp"
 
 #include <array>
+#include <vector>
 
 namespace terrella {
 namespace {
@@ -28,15 +29,24 @@ WaveBlock wave_block(const Sea& sea) {
 SeaPass::SeaPass(Water technique, SphereMeshes& spheres)
     : spheres_(spheres), program_(technique == Water::calm ? "water/calm" : "water/waves") {}
 
-void SeaPass::draw(const Frame& frame) {
+bool SeaPass::ready(const Needs& needs) {
+  program_.want(needs.water == Water::waves ? "water/waves" : needs.ripples ? "water/rippled" : "water/calm");
+  return program_.ready();
+}
+
+void SeaPass::draw(const Frame& frame, std::span<const RadiusRange> ground) {
   if (frame.needs.water == Water::waves) {
     const WaveBlock block = wave_block(frame.sea);
     waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));
   }
-  program_.use();
-  const double level = 1.0 + frame.scene.water.level / frame.scene.planet.radius;
-  SphereMeshes::draw_visible(spheres_.directions(frame.needs.water_level), frame.needs.water_level, frame.pose.eye,
-                             0.999 * level - frame.sea.highest, level + frame.sea.highest);
+  program_.use(frame.effort == Effort::complete);
+  const int level = frame.needs.water_level;
+  const RadiusRange water = water_range(frame);
+  std::vector<float> tops(group_count, static_cast<float>(water.highest));
+  for (std::size_t g = 0; g < ground.size(); ++g) {
+    if (ground[g].lowest > water.highest) tops[g] = 0.0F;
+  }
+  SphereMeshes::draw_visible(spheres_.directions(level), level, frame.pose.eye, water.lowest, tops);
 }
 
 }  // namespace terrella

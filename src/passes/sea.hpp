@@ -1,6 +1,10 @@
 // The sea as a sphere: calm with ripples (Sandahl 12, 13), or with trochoidal waves (Sandahl 14 to 16).
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
 #include "passes/frame.hpp"
 #include "passes/sphere_meshes.hpp"
@@ -12,12 +16,16 @@ class SeaPass {
   // technique: calm or waves.
   SeaPass(Water technique, SphereMeshes& spheres);
 
-  bool ready() { return program_.ready(); }
-  void draw(const Frame& frame);
+  // Asks for the program that the needs call for; true once drawing will not wait for it.
+  bool ready(const Needs& needs);
+
+  // ground: over each group of the icosphere; empty where there is no ground. Where it stands out of the water whole,
+  // no water is drawn.
+  void draw(const Frame& frame, std::span<const RadiusRange> ground);
 
  private:
   SphereMeshes& spheres_;
-  gl::Program program_;
+  gl::ProgramChoice program_;
   gl::UniformBuffer waves_;
 };
 

@@ -1,5 +1,6 @@
 #include "passes/sphere_meshes.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace terrella {
@@ -10,7 +11,7 @@ const Icosphere& SphereMeshes::geometry(int level) {
   return *entry;
 }
 
-const gl::Mesh& SphereMeshes::directions(int level) {
+gl::Mesh& SphereMeshes::directions(int level) {
   auto& entry = directions_.at(static_cast<std::size_t>(level));
   if (!entry) {
     const Icosphere& sphere = geometry(level);
@@ -20,10 +21,11 @@ const gl::Mesh& SphereMeshes::directions(int level) {
   return *entry;
 }
 
-void SphereMeshes::draw_visible(const gl::Mesh& mesh, int level, const glm::dvec3& eye, double lowest, double highest) {
+void SphereMeshes::draw_visible(gl::Mesh& mesh, int level, const glm::dvec3& eye, double occluder,
+                                std::span<const float> tops) {
   std::vector<gl::Mesh::Run> runs;
-  for (const auto& [first, end] : visible_triangles(level, eye, lowest, highest)) runs.push_back({first, end});
-  mesh.draw(runs);
+  for (const auto& [first, end] : visible_triangles(level, eye, occluder, tops)) runs.push_back({first, end});
+  mesh.draw(std::move(runs));
 }
 
 }  // namespace terrella

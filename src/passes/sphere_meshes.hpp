@@ -3,9 +3,10 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 #include "gl/mesh.hpp"
-#include "planet/icosphere.hpp"
+#include "planet/icosphere_groups.hpp"
 
 namespace terrella {
 
@@ -15,10 +16,10 @@ class SphereMeshes {
   const Icosphere& geometry(int level);
 
   // A mesh of unit directions of a level, on the GPU.
-  const gl::Mesh& directions(int level);
+  gl::Mesh& directions(int level);
 
-  // Draws what of a mesh of a level may be seen. lowest, highest: radii between which its surface lies.
-  static void draw_visible(const gl::Mesh& mesh, int level, const glm::dvec3& eye, double lowest, double highest);
+  // Draws what of a mesh of a level may be seen; arguments as for visible_triangles.
+  static void draw_visible(gl::Mesh& mesh, int level, const glm::dvec3& eye, double occluder, std::span<const float> tops);
 
  private:
   std::array<std::unique_ptr<Icosphere>, max_icosphere_level + 1> geometry_;

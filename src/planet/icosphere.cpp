@@ -99,34 +99,6 @@ double icosphere_edge(int level) {
   return edges[static_cast<std::size_t>(level)];
 }
 
-std::vector<TriangleRun> visible_triangles(int level, const glm::dvec3& eye, double lowest, double highest) {
-  // Subdivision keeps the parts of a triangle together: each of the 320 triangles of level 2 is one run of the finer ones.
-  constexpr int group_level = 2;
-  static const Icosphere groups = make_icosphere(group_level);
-  const auto count = static_cast<std::uint32_t>(groups.indices.size() / 3);
-  const std::uint32_t each = level > group_level ? 1U << (2 * (level - group_level)) : 1U;
-  const std::uint32_t all = 20U << (2 * level);
-  const double distance = glm::length(eye);
-  if (level <= group_level || distance <= lowest) return {{0, all}};
-
-  // Hidden beyond the horizon of the lowest surface, plus what the highest mountain still shows behind it.
-  const double horizon = std::acos(lowest / distance) + std::acos(std::min(1.0, lowest / highest));
-  const double reach = horizon + icosphere_edge(group_level);
-  const double least_cosine = reach < 3.141 ? std::cos(reach) : -2.0;
-  std::vector<TriangleRun> runs;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const glm::dvec3& corner = groups.directions[groups.indices[3 * std::size_t{i}]];
-    if (glm::dot(corner, eye) < least_cosine * distance) continue;
-    // A short gap is drawn along: a further draw call costs more.
-    if (!runs.empty() && i * each - runs.back().end <= 6 * each) {
-      runs.back().end = (i + 1) * each;
-    } else {
-      runs.push_back({i * each, (i + 1) * each});
-    }
-  }
-  return runs;
-}
-
 IcospherePlace locate_on_icosphere(const glm::dvec3& direction, int level) {
   CHECK(level >= 0 && level <= max_icosphere_level, level);
   const auto& corner = icosahedron_corners();

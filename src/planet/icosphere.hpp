@@ -22,15 +22,6 @@ Icosphere make_icosphere(int level);
 // Length of the longest edge, rad. level as above.
 double icosphere_edge(int level);
 
-// Triangles [first, end) of an icosphere.
-struct TriangleRun {
-  std::uint32_t first, end;
-};
-
-// The triangles of a level that may be seen from an eye, as few runs. eye: planet radii from the centre; lowest: no part of
-// the surface that hides others lies lower; highest: none rises higher, radii. From within the lowest, all of them.
-std::vector<TriangleRun> visible_triangles(int level, const glm::dvec3& eye, double lowest, double highest);
-
 // The triangle that a direction passes through.
 struct IcospherePlace {
   std::array<glm::dvec3, 3> corners;  // unit

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include <glm/geometric.hpp>
+
 #include "formulas/formulas.hpp"
-#include "planet/icosphere.hpp"
+#include "planet/icosphere_groups.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
 
@@ -39,6 +41,14 @@ int visible_octaves(double frequency, double lacunarity, int octaves, double foo
   int count = 0;
   for (double f = frequency; count < octaves && f * footprint < 0.5; f *= lacunarity) ++count;
   return count;
+}
+
+// The coarsest icosphere that shows a sphere within an error (radii).
+int sphere_level(double allowed) {
+  constexpr int finest = 6;
+  int level = group_level;
+  while (level < finest && icosphere_edge(level) * icosphere_edge(level) / 8.0 > allowed) ++level;
+  return level;
 }
 
 void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
@@ -89,9 +99,12 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
     decide.add("waves.steepness", sea.steepness,
                sea.held ? "held where the surface would fold over" : "as asked; the surface does not fold");
   }
-  needs.water_level = needs.water == Water::waves ? 6 : 5;
+  needs.water_level = needs.water == Water::waves
+                          ? 6
+                          : sphere_level(scene.quality.pixel_error * pose.pixel_angle * pose.clearance);
   decide.add("water.level", needs.water_level,
-             needs.water == Water::waves ? "fine enough to carry waves" : "a still sea is a sphere: a coarser mesh does");
+             needs.water == Water::waves ? "fine enough to carry waves"
+                                         : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
 
   const double cell = 1.0 / water.ripple_frequency;
   const bool seen = cell > 2.0 * pose.pixel_angle * pose.clearance;
@@ -112,6 +125,9 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   }
   needs.clouds = Clouds::shell;
   decide.add("clouds", name_of(needs.clouds), "the only model of clouds in this version");
+  const double shell = 1.0 + clouds.height / scene.planet.radius;
+  needs.cloud_level = sphere_level(scene.quality.pixel_error * pose.pixel_angle * std::abs(glm::length(pose.eye) - shell));
+  decide.add("clouds.level", needs.cloud_level, "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   needs.cloud_texels = scene.quality.cloud_texels;
   const double footprint = std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance);
   needs.cloud_octaves = std::max(1, visible_octaves(clouds.frequency, 2.0, clouds.octaves, footprint));
@@ -166,7 +182,7 @@ int ground_level(const Scene& scene) {
   const double allowed = scene.quality.pixel_error * pixel;
   const double height = scene.terrain.height / scene.planet.radius;
   const int finest = scene.quality.pixel_error < 0.2 ? 7 : 6;
-  for (int level = 3; level < finest; ++level) {
+  for (int level = group_level; level < finest; ++level) {
     const double edge = icosphere_edge(level);
     const double missing = scene.terrain.octaves > 0 ? height * edge * scene.terrain.frequency : 0.0;
     if (edge * edge / 8.0 + missing < allowed) return level;

@@ -40,6 +40,7 @@ struct Needs {
   int pixel_octaves_end = 0;    // [first, end); equal: none
   int water_level = 0;          // icosphere level of the sea
   bool ripples = false;         // small waves as flow noise at every pixel of a calm sea
+  int cloud_level = 0;          // icosphere level of the shell of clouds
   int cloud_octaves = 0;
   int cloud_texels = 0;
   double cloud_interval = 0.0;  // s between two pictures of the clouds, blended in between; 0: they do not change

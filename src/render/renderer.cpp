@@ -65,17 +65,17 @@ Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::For
 double Renderer::prepare(const Scene& scene, const View& view) {
   pose_ = pose_of(scene, view);
   needs_ = needs_of(scene, view, pose_);
-  choose_techniques();
-  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(), air_.ready(), stars_.ready(), clouds_.ready()};
-  return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
+  return choose_techniques();
 }
 
-void Renderer::choose_techniques() {
+double Renderer::choose_techniques() {
   ground_.choose(needs_.ground, spheres_);
   water_.choose(needs_.water, needs_.water, spheres_);
   clouds_.choose(needs_.clouds, spheres_);
   air_.choose(needs_.air);
   stars_.choose(needs_.stars);
+  const bool ready[] = {picture_.ready(), ground_.ready(needs_), water_.ready(needs_), air_.ready(), stars_.ready(), clouds_.ready()};
+  return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
 }
 
 void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
@@ -95,11 +95,11 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   draw_opaque();
   // The ground first: it costs little where water hides it, and hides the water behind it.
   if (ground_) ground_->draw(frame);
-  if (water_) water_->draw(frame);
+  if (water_) water_->draw(frame, ground_ ? ground_->ranges() : std::span<const RadiusRange>());
   if (shot.channel == Channel::color) {
     draw_veils();
     if (stars_) stars_->draw(frame);
-    if (air_) air_->draw();
+    if (air_) air_->draw(frame);
     if (clouds_) clouds_->draw(frame);
     draw_flat();
     picture_.develop(light_->image());
@@ -179,12 +179,7 @@ RenderStats Renderer::stats() const {
   stats.noise_evaluations = noise_evaluations_;
   stats.gpu_bytes = gl::ledger().bytes;
   stats.textures = gl::ledger().textures;
-  stats.programs = {"picture/tone", "picture/antialias"};
-  if (ground_) stats.programs.insert(stats.programs.end(), {"ground/bake", "ground/icosphere"});
-  if (water_) stats.programs.push_back("water/" + std::string(name_of(needs_.water)));
-  if (clouds_) stats.programs.insert(stats.programs.end(), {"clouds/bake", "clouds/shell"});
-  if (air_) stats.programs.emplace_back("air/fresnel");
-  if (stars_) stats.programs.emplace_back("stars/noise");
+  stats.programs = gl::ledger().programs;
   return stats;
 }
 

@@ -60,7 +60,8 @@ class Renderer {
   [[nodiscard]] RenderStats stats() const;
 
  private:
-  void choose_techniques();
+  // Builds what the needs call for; returns which part of it is ready.
+  double choose_techniques();
   void update_slots(const Frame& frame);
   void begin_light(const View& view, const Shot& shot);
   void set_frame_block(const Frame& frame);

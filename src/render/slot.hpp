@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 namespace terrella {
 
@@ -22,7 +23,10 @@ class Slot {
   const Technique* operator->() const { return &*technique_; }
 
   // An empty slot is ready.
-  bool ready() { return !technique_ || technique_->ready(); }
+  template <class... Arguments>
+  bool ready(Arguments&&... arguments) {
+    return !technique_ || technique_->ready(std::forward<Arguments>(arguments)...);
+  }
 
  private:
   Kind kind_ = Kind::none;

@@ -59,37 +59,6 @@ TEST(Icosphere, EdgeIsTheLongestEdge) {
   }
 }
 
-TEST(VisibleTriangles, LeaveOutNoneThatFacesTheEye) {
-  test::Places places(2U);
-  const int level = 4;
-  const Icosphere sphere = make_icosphere(level);
-  for (int i = 0; i < 60; ++i) {
-    const double distance = 1.0 + std::pow(10.0, places.between(-3.0, 3.0));
-    const glm::dvec3 eye = distance * places.on_sphere();
-    std::vector<bool> drawn(sphere.indices.size() / 3);
-    std::size_t count = 0;
-    for (const TriangleRun& run : visible_triangles(level, eye, 1.0, 1.1)) {
-      for (std::uint32_t t = run.first; t < run.end; ++t, ++count) drawn.at(t) = true;
-    }
-    for (std::size_t t = 0; t < drawn.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        // A mountain top is seen unless the unit sphere stands before it.
-        const glm::dvec3 top = 1.1 * sphere.directions[sphere.indices[3 * t + k]];
-        const glm::dvec3 ray = glm::normalize(top - eye);
-        const double along = -glm::dot(eye, ray);
-        const bool hidden = along > 0.0 && along < glm::distance(eye, top) && glm::length(eye + along * ray) < 1.0;
-        if (!hidden) {
-          ASSERT_TRUE(drawn[t]) << distance;
-        }
-      }
-    }
-    // From far away half of the sphere is seen, and gaps are drawn along.
-    if (distance < 2.0) {
-      EXPECT_LT(count, 9 * drawn.size() / 10) << distance;
-    }
-  }
-}
-
 TEST(LocateOnIcosphere, FindsTheTriangleThatADirectionPassesThrough) {
   test::Places places(1U);
   for (int i = 0; i < 3000; ++i) {

@@ -1,0 +1,54 @@
+// The icosphere's ground so near that pixels are finer than its map: further layers of noise at every pixel.
+#include "ground_surface.glsl"
+#include "layer_block.glsl"
+
+// The direction of a place less the anchor's, from the place's offset to the eye: no large numbers are subtracted.
+vec3 direction_from_anchor(vec3 offset) {
+  float eye_radius = 1.0 + eye_high.w;
+  vec3 anchor = layer_anchor.xyz;
+  float radius2 = eye_radius * eye_radius + 2.0 * eye_radius * dot(anchor, offset) + dot(offset, offset);
+  float radius = sqrt(max(radius2, 1.0e-12));
+  float climb = (2.0 * eye_radius * dot(anchor, offset) + dot(offset, offset)) / (radius + eye_radius);
+  return (offset - anchor * climb) / radius;
+}
+
+// What the layers finer than the map add to the gradient of the sum of layers.
+vec3 fine_gradient(vec3 offset, float footprint) {
+  vec3 from_anchor = direction_from_anchor(offset);
+  uint seed = uint(planet_seed);
+  float texel = ground_map_scale.x;
+  float enters = 1.0 - smoothstep(0.4, 0.6, footprint / texel);
+  vec3 sum = vec3(0.0);
+  int end = int(ground_map_scale.z);
+  for (int i = int(ground_map_scale.y); i < end; ++i) {
+    float frequency = layer_place[i].w;
+    float shown = layer_weight(frequency, footprint) - layer_weight(frequency, texel);
+    if (shown <= 0.0) continue;
+    vec3 q = layer_place[i].xyz + frequency * from_anchor;
+    Noise n = simplex_noise(layer_cell[i].xyz, q, layer_seed(i, seed));
+    float slope = layer_slope(n.value, terrain_ridged != 0, terrain_ridge_sharpness);
+    sum += pow(terrain_persistence, float(i)) * shown * frequency * slope * n.gradient;
+  }
+  return enters * sum;
+}
+
+// The sum of all amplitudes, by which the sum of layers is divided.
+float amplitude_sum() {
+  float ratio = terrain_persistence;
+  float count = float(terrain_octaves);
+  return abs(ratio - 1.0) < 1.0e-3 ? count : (1.0 - pow(ratio, count)) / (1.0 - ratio);
+}
+
+// The gradient of the height from that of the sum of layers, at a place of known height over the sphere.
+vec3 shaped(vec3 gradient, float height) {
+  float h = pow(clamp(height / max(terrain_height, 1.0e-9), 1.0e-6, 0.999), 1.0 / max(terrain_power, 0.05));
+  return gradient * height_power_slope(h, terrain_height, terrain_power) / amplitude_sum();
+}
+
+void main() {
+  float away = length(surface_from_eye);
+  vec3 up = normalize(surface_position());
+  vec4 map = textureLod(ground_map, up, 0.0);
+  float footprint = away * ray_forward.w / max(-dot(up, surface_from_eye) / away, 0.12);
+  emit_ground(map, map.xyz + shaped(fine_gradient(surface_from_eye, footprint), map.w + sea.x - 1.0));
+}

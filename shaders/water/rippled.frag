@@ -1,0 +1,27 @@
+// A calm sea with ripples of flow noise (Sandahl 2022, equations 12 and 13).
+#include "calm_water.glsl"
+#include "lib/noise.glsl"
+
+void add_ripples(inout Ripples r, int layer, vec3 up, float footprint) {
+  float frequency = water_ripple_frequency * (layer == 0 ? 1.0 : 2.3);
+  float turn = ripple.x * (layer == 0 ? 1.0 : 2.0);
+  uint seed = uint(planet_seed) + 71u;
+  float shown = layer_weight(frequency, footprint);
+  Noise n = flow_noise(ivec3(0), up * frequency + layer_offset(layer, seed), turn, layer_seed(layer, seed));
+  r.gradient += shown * ripple_strength(layer) * ripple.y * n.gradient;
+  r.wash += shown * n.value * 0.5;
+  r.rough += unseen_roughness(layer, shown);
+}
+
+void main() {
+  vec3 up = water_direction();
+  float away = length(surface_from_eye);
+  float footprint = away * ray_forward.w / max(-dot(up, surface_from_eye) / away, 0.12);
+  Ripples r;
+  r.gradient = vec3(0.0);
+  r.rough = 0.0;
+  r.wash = 0.0;
+  add_ripples(r, 0, up, footprint);
+  add_ripples(r, 1, up, footprint);
+  emit_calm_water(r, up, textureLod(ground_map, up, 0.0));
+}

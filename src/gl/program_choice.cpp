@@ -1,0 +1,17 @@
+#include "gl/program_choice.hpp"
+
+#include <algorithm>
+
+namespace terrella::gl {
+
+void ProgramChoice::want(std::string_view name) {
+  const auto found = std::find_if(programs_.begin(), programs_.end(), [&](const auto& p) { return p->name() == name; });
+  wanted_ = found != programs_.end() ? found->get() : programs_.emplace_back(std::make_unique<Program>(name, vertex_)).get();
+}
+
+void ProgramChoice::use(bool patient) {
+  if (used_ == nullptr || patient || wanted_->ready()) used_ = wanted_;
+  used_->use();
+}
+
+}  // namespace terrella::gl
