@@ -46,11 +46,10 @@ void Mesh::draw(std::vector<Run> runs) {
   count_draw(triangles_);
 }
 
-Squares::Squares(std::span<const float> data, int vec4s_each)
-    : count_(static_cast<GLsizei>(data.size() / (4 * static_cast<std::size_t>(vec4s_each)))) {
+Squares::Squares(int vec4s_each) : floats_each_(4 * static_cast<std::size_t>(vec4s_each)) {
   glBindVertexArray(array_.name());
-  upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(data));
-  const auto stride = static_cast<GLsizei>(sizeof(float)) * 4 * vec4s_each;
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+  const auto stride = static_cast<GLsizei>(sizeof(float) * floats_each_);
   for (int i = 0; i < vec4s_each; ++i) {
     const auto offset = sizeof(float) * 4 * static_cast<std::size_t>(i);
     glEnableVertexAttribArray(static_cast<GLuint>(i));
@@ -58,6 +57,11 @@ Squares::Squares(std::span<const float> data, int vec4s_each)
     glVertexAttribDivisor(static_cast<GLuint>(i), 1);
   }
   glBindVertexArray(0);
+}
+
+void Squares::set(std::span<const float> data) {
+  upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(data), GL_DYNAMIC_DRAW);
+  count_ = static_cast<GLsizei>(data.size() / floats_each_);
   memory_.set(static_cast<std::int64_t>(data.size_bytes()));
 }
 

@@ -44,15 +44,18 @@ class Mesh {
 // from gl_VertexID.
 class Squares {
  public:
-  // data: vec4s_each * 4 floats a square.
-  Squares(std::span<const float> data, int vec4s_each);
+  explicit Squares(int vec4s_each);
+
+  // data: vec4s_each * 4 floats a square; replaces what was there.
+  void set(std::span<const float> data);
 
   void draw() const;
 
  private:
   VertexArrayHandle array_;
   BufferHandle vertices_;
-  GLsizei count_;
+  std::size_t floats_each_;
+  GLsizei count_ = 0;
   Holding memory_;
 };
 

@@ -1,31 +1,70 @@
 #include "passes/stars_noise.hpp"
 
-#include <vector>
+#include <cmath>
 
-#include "planet/stars.hpp"
+#include <glm/geometric.hpp>
 
 namespace terrella {
+namespace {
+
+// A cone around directions; all of space where the cosine is -1.
+struct Cone {
+  glm::vec3 axis;
+  float cosine;
+  [[nodiscard]] bool holds(const glm::vec3& direction) const { return glm::dot(axis, direction) >= cosine; }
+};
+
+// Around all that the picture shows.
+Cone cone_of_picture(const Frame& frame) {
+  const double aspect = static_cast<double>(frame.view.width) / frame.view.height;
+  const double corner = frame.pose.tan_half_fov * std::sqrt(1.0 + aspect * aspect);
+  return {glm::vec3(frame.pose.forward), static_cast<float>(std::cos(std::atan(corner) + 0.01))};
+}
+
+// Within what the planet hides, which nothing dips below by so much.
+Cone cone_of_planet(const Frame& frame) {
+  const bool solid = frame.needs.ground != Ground::none || frame.needs.water != Water::none;
+  const double distance = glm::length(frame.pose.eye);
+  const double sine = solid && distance > 1.0 ? 0.99 / distance : 0.0;
+  return {glm::vec3(-frame.pose.eye / distance), sine > 0.0 ? static_cast<float>(std::sqrt(1.0 - sine * sine)) : 2.0F};
+}
+
+}  // namespace
 
 void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Key key = {frame.scene.stars.density, frame.scene.stars.seed};
   if (key_ == key) return;
   key_ = key;
-  const StarSky sky = find_stars(frame.scene);
+  StarSky sky = find_stars(frame.scene);
   noise_evaluations_ = sky.noise_evaluations;
-  std::vector<float> data;
-  data.reserve(sky.stars.size() * 8);
-  for (const Star& star : sky.stars) {
-    const glm::vec3 &d = star.direction, &c = star.color;
-    data.insert(data.end(), {d.x, d.y, d.z, star.brightness, c.r, c.g, c.b, 0.0F});
+  stars_ = std::move(sky.stars);
+  shown_.clear();
+  squares_.set({});
+}
+
+void StarsNoise::choose(const Frame& frame) {
+  const Cone picture = cone_of_picture(frame), planet = cone_of_planet(frame);
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < stars_.size(); ++i) {
+    if (picture.holds(stars_[i].direction) && !planet.holds(stars_[i].direction)) shown.push_back(i);
   }
-  squares_ = std::make_unique<gl::Squares>(data, 2);
+  if (shown == shown_) return;
+  std::vector<float> data;
+  data.reserve(shown.size() * 8);
+  for (const std::size_t i : shown) {
+    const glm::vec3 &d = stars_[i].direction, &c = stars_[i].color;
+    data.insert(data.end(), {d.x, d.y, d.z, stars_[i].brightness, c.r, c.g, c.b, 0.0F});
+  }
+  squares_.set(data);
+  shown_ = std::move(shown);
 }
 
 void StarsNoise::draw(const Frame& frame) {
+  choose(frame);
   program_.use();
   program_.set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
-  squares_->draw();
+  squares_.draw();
 }
 
 }  // namespace terrella

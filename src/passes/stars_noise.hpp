@@ -1,12 +1,13 @@
-// Stars as small squares, found once for a sky (planet/stars.hpp).
+// Stars as small squares, found once for a sky (planet/stars.hpp); only those in the picture are drawn.
 #pragma once
 
-#include <memory>
 #include <optional>
+#include <vector>
 
 #include "gl/mesh.hpp"
 #include "gl/program.hpp"
 #include "passes/frame.hpp"
+#include "planet/stars.hpp"
 
 namespace terrella {
 
@@ -18,6 +19,8 @@ class StarsNoise {
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
+  void choose(const Frame& frame);
+
   struct Key {
     double density;
     int seed;
@@ -26,7 +29,9 @@ class StarsNoise {
 
   gl::Program program_{"stars/noise"};
   std::optional<Key> key_;
-  std::unique_ptr<gl::Squares> squares_;
+  std::vector<Star> stars_;
+  std::vector<std::size_t> shown_;  // places in stars_
+  gl::Squares squares_{2};
   std::int64_t noise_evaluations_ = 0;
 };
 
