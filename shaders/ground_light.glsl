@@ -18,7 +18,7 @@ Bands scene_bands() {
   b.snow_height = terrain_snow_height;
   b.softness = terrain_softness;
   b.slope_rock = terrain_slope_rock;
-  b.snow_sine = ground_bands.x;
+  b.snow_sine = levels.x;
   return b;
 }
 

@@ -5,6 +5,6 @@ layout(location = 0) in vec3 direction;
 out vec3 surface_from_eye;
 
 void main() {
-  surface_from_eye = from_eye(direction * sea.x);
+  surface_from_eye = from_eye(direction * (sea.x + levels.y));
   gl_Position = clip_from_eye * vec4(surface_from_eye, 1.0);
 }

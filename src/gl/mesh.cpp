@@ -15,33 +15,26 @@ void count_draw(std::int64_t triangles) {
 
 }  // namespace
 
-Mesh::Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices)
-    : indices_(indices), vertex_bytes_(static_cast<std::int64_t>(vertices.size_bytes())) {
+Mesh::Mesh(std::span<const glm::vec3> vertices) : vertex_bytes_(static_cast<std::int64_t>(vertices.size_bytes())) {
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(vertices));
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chosen_.name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
   glBindVertexArray(0);
   memory_.set(vertex_bytes_);
 }
 
-void Mesh::choose(std::vector<Run> runs) {
-  std::vector<std::uint32_t> chosen;
-  for (const auto& [first, end] : runs) {
-    const auto run = indices_.subspan(3 * std::size_t{first}, 3 * std::size_t{end - first});
-    chosen.insert(chosen.end(), run.begin(), run.end());
-  }
-  upload(GL_ELEMENT_ARRAY_BUFFER, chosen_, std::as_bytes(std::span(chosen)), GL_DYNAMIC_DRAW);
-  triangles_ = static_cast<std::int64_t>(chosen.size() / 3);
-  memory_.set(vertex_bytes_ + static_cast<std::int64_t>(std::span(chosen).size_bytes()));
-  runs_ = std::move(runs);
+void Mesh::set_indices(std::span<const std::uint32_t> indices) {
+  glBindVertexArray(array_.name());
+  upload(GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(indices), GL_DYNAMIC_DRAW);
+  triangles_ = static_cast<std::int64_t>(indices.size() / 3);
+  memory_.set(vertex_bytes_ + static_cast<std::int64_t>(indices.size_bytes()));
 }
 
-void Mesh::draw(std::vector<Run> runs) {
-  glBindVertexArray(array_.name());
-  if (runs != runs_) choose(std::move(runs));
+void Mesh::draw() const {
   if (triangles_ == 0) return;
+  glBindVertexArray(array_.name());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles_), GL_UNSIGNED_INT, nullptr);
   count_draw(triangles_);
 }

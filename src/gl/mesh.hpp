@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -12,29 +11,21 @@
 
 namespace terrella::gl {
 
-// Triangles with one vec3 a vertex (attribute 0), of which some are chosen to be drawn, in one draw call.
+// Triangles with one vec3 a vertex (attribute 0).
 class Mesh {
  public:
-  // vertices: positions or directions; indices: three a triangle, counter-clockwise from outside. They must outlive the
-  // mesh.
-  Mesh(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> indices);
+  // vertices: positions or directions. There are no triangles yet.
+  explicit Mesh(std::span<const glm::vec3> vertices);
 
-  // Triangles [first, end).
-  struct Run {
-    std::uint32_t first, end;
-    bool operator==(const Run&) const = default;
-  };
-  // Draws the triangles of the runs. Uploads their indices where the runs differ from those of the last time.
-  void draw(std::vector<Run> runs);
+  // indices: three a triangle, counter-clockwise from outside; they replace those before.
+  void set_indices(std::span<const std::uint32_t> indices);
+
+  void draw() const;
 
  private:
-  void choose(std::vector<Run> runs);
-
   VertexArrayHandle array_;
   BufferHandle vertices_;
-  BufferHandle chosen_;
-  std::span<const std::uint32_t> indices_;
-  std::vector<Run> runs_;
+  BufferHandle indices_;
   std::int64_t triangles_ = 0;
   std::int64_t vertex_bytes_;
   Holding memory_;

@@ -126,7 +126,7 @@ void CloudsShell::draw(const Frame& frame) {
   draw_program_.use();
   glEnable(GL_CULL_FACE);
   glCullFace(above ? GL_BACK : GL_FRONT);
-  SphereMeshes::draw_visible(spheres_.directions(level), level, frame.pose.eye, occluder, tops);
+  spheres_.directions(level).draw(visible_groups(frame.pose.eye, occluder, tops));
   glCullFace(GL_BACK);
 }
 

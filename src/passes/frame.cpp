@@ -1,5 +1,6 @@
 #include "passes/frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -21,11 +22,18 @@ double turned(double speed, double seconds) {
   return std::remainder(speed * seconds, 2.0 * std::numbers::pi);
 }
 
+// By how much the water's mesh is raised, radii: so that no flat triangle of it dips below one of the ground where both
+// should meet. Then it is the map that draws the shore. Never more than may be seen.
+double water_lift(const Frame& frame) {
+  const double seen = frame.scene.quality.pixel_error * frame.pose.pixel_angle * frame.pose.clearance;
+  return std::min(icosphere_sag(frame.needs.water_level) + frame.needs.ground_tolerance, seen);
+}
+
 }  // namespace
 
 RadiusRange water_range(const Frame& frame) {
   if (frame.needs.water == Water::none) return {};
-  const double level = 1.0 + frame.scene.water.level / frame.scene.planet.radius;
+  const double level = 1.0 + frame.scene.water.level / frame.scene.planet.radius + water_lift(frame);
   return {(level - frame.sea.highest) * (1.0 - icosphere_sag(frame.needs.water_level)), level + frame.sea.highest};
 }
 
@@ -65,7 +73,9 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm:
   const Color tint = scene.water.tint;
   const glm::dvec3 tint_light(linear_light(tint.r), linear_light(tint.g), linear_light(tint.b));
   block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
-  block.ground_bands = glm::vec4(scene.terrain.snow_latitude >= 90.0 ? 2.0 : std::sin(glm::radians(scene.terrain.snow_latitude)), 0.0, 0.0, 0.0);
+  const double snow_latitude = scene.terrain.snow_latitude;
+  const double snow_sine = snow_latitude >= 90.0 ? 2.0 : std::sin(glm::radians(snow_latitude));
+  block.levels = glm::vec4(snow_sine, water_lift(frame), 0.0, 0.0);
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

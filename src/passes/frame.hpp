@@ -34,7 +34,7 @@ struct FrameBlock {
   glm::vec4 sea;
   glm::vec4 ripple;
   glm::vec4 water_extinction;
-  glm::vec4 ground_bands;
+  glm::vec4 levels;
   glm::ivec4 channel;
 };
 

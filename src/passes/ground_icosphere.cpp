@@ -1,6 +1,7 @@
 #include "passes/ground_icosphere.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -45,9 +46,10 @@ void GroundIcosphere::update(const Frame& frame) {
   }
 }
 
-GroundIcosphere::Surface GroundIcosphere::make_surface(int level, std::span<const glm::vec3> positions) {
+GroundIcosphere::Surface GroundIcosphere::make_surface(const Frame& frame, int level, std::vector<glm::vec3> positions) {
   const Icosphere& sphere = spheres_.geometry(level);
-  return {level, gl::Mesh(positions, sphere.indices), radius_ranges(sphere, level, positions)};
+  const double tolerance = frame.needs.ground_tolerance;
+  return {level, positions, radius_ranges(sphere, positions), {positions, simplified(sphere, positions, tolerance)}, tolerance};
 }
 
 void GroundIcosphere::make_coarse(const Frame& frame) {
@@ -57,7 +59,7 @@ void GroundIcosphere::make_coarse(const Frame& frame) {
   const Icosphere& sphere = spheres_.geometry(coarse_level);
   std::vector<glm::vec3> positions;
   displace(frame, sphere, coarse_level, sphere.directions.size(), positions);
-  coarse_ = make_surface(coarse_level, positions);
+  coarse_.emplace(make_surface(frame, coarse_level, std::move(positions)));
   coarse_done_ = true;
 }
 
@@ -77,8 +79,9 @@ void GroundIcosphere::advance_fine(const Frame& frame) {
     const std::size_t end = at_once ? sphere.directions.size() : fine_positions_.size() + share;
     displace(frame, sphere, key_->level, std::min(end, sphere.directions.size()), fine_positions_);
   }
-  if (fine_bake_.done(*fine_map_) && fine_positions_.size() == sphere.directions.size()) {
-    fine_ = make_surface(key_->level, fine_positions_);
+  const bool all_there = fine_positions_.size() == sphere.directions.size();
+  if (fine_bake_.done(*fine_map_) && all_there) {
+    fine_.emplace(make_surface(frame, key_->level, std::exchange(fine_positions_, {})));
     fine_done_ = true;
   }
 }
@@ -109,6 +112,10 @@ void GroundIcosphere::draw(const Frame& frame) {
   layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   draw_program_.use(frame.effort == Effort::complete);
   Surface& surface = fine_done_ ? *fine_ : *coarse_;
+  if (surface.tolerance != frame.needs.ground_tolerance) {
+    surface.tolerance = frame.needs.ground_tolerance;
+    surface.mesh.set(simplified(spheres_.geometry(surface.level), surface.positions, surface.tolerance));
+  }
   const RadiusRange water = water_range(frame);
   const double lowest = std::min_element(surface.ranges.begin(), surface.ranges.end(), lower)->lowest;
   // Seen from above, water hides what lies under it.
@@ -118,7 +125,7 @@ void GroundIcosphere::draw(const Frame& frame) {
   for (const RadiusRange& range : surface.ranges) {
     tops.push_back(above_water && range.highest < water.lowest ? 0.0F : static_cast<float>(range.highest));
   }
-  SphereMeshes::draw_visible(surface.mesh, surface.level, frame.pose.eye, std::max(lowest, water.lowest), tops);
+  surface.mesh.draw(visible_groups(frame.pose.eye, std::max(lowest, water.lowest), tops));
 }
 
 }  // namespace terrella

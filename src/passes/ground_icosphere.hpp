@@ -51,12 +51,14 @@ class GroundIcosphere {
 
   struct Surface {
     int level;
-    gl::Mesh mesh;
+    std::vector<glm::vec3> positions;
     std::vector<RadiusRange> ranges;
+    GroupedMesh mesh;
+    double tolerance;  // within which its triangles keep to the positions, radii
   };
 
   [[nodiscard]] const Surface& drawn() const { return fine_done_ ? *fine_ : *coarse_; }
-  Surface make_surface(int level, std::span<const glm::vec3> positions);
+  Surface make_surface(const Frame& frame, int level, std::vector<glm::vec3> positions);
   void make_coarse(const Frame& frame);
   void advance_fine(const Frame& frame);
   void bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, int rows);

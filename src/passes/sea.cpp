@@ -40,13 +40,12 @@ void SeaPass::draw(const Frame& frame, std::span<const RadiusRange> ground) {
     waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));
   }
   program_.use(frame.effort == Effort::complete);
-  const int level = frame.needs.water_level;
   const RadiusRange water = water_range(frame);
   std::vector<float> tops(group_count, static_cast<float>(water.highest));
   for (std::size_t g = 0; g < ground.size(); ++g) {
     if (ground[g].lowest > water.highest) tops[g] = 0.0F;
   }
-  SphereMeshes::draw_visible(spheres_.directions(level), level, frame.pose.eye, water.lowest, tops);
+  spheres_.directions(frame.needs.water_level).draw(visible_groups(frame.pose.eye, water.lowest, tops));
 }
 
 }  // namespace terrella

@@ -33,7 +33,109 @@ std::vector<Cone> make_cones() {
 
 double arc_cosine(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
+// Triangles of one level between the vertices of a finer icosphere, read off its indices.
+class Hierarchy {
+ public:
+  struct Triangle {
+    std::uint32_t a, b, c;
+  };
+
+  explicit Hierarchy(const Icosphere& sphere) : indices_(sphere.indices) {
+    while ((std::size_t{60} << (2 * finest_)) < indices_.size()) ++finest_;
+    CHECK(finest_ >= group_level && (std::size_t{60} << (2 * finest_)) == indices_.size(), indices_.size());
+  }
+
+  [[nodiscard]] int finest() const { return finest_; }
+
+  // Triangle i of a level: its corners are those of its first, second and third child.
+  [[nodiscard]] Triangle corners(int level, std::size_t i) const {
+    std::size_t a = i, b = i, c = i;
+    for (int l = level; l < finest_; ++l) {
+      a = 4 * a;
+      b = 4 * b + 1;
+      c = 4 * c + 2;
+    }
+    return {indices_[3 * a], indices_[3 * b + 1], indices_[3 * c + 2]};
+  }
+
+  // The middles of its edges ab, bc, ca: the corners of its fourth child. level < finest().
+  [[nodiscard]] Triangle middles(int level, std::size_t i) const { return corners(level + 1, 4 * i + 3); }
+
+ private:
+  std::span<const std::uint32_t> indices_;
+  int finest_ = 0;
+};
+
+// Which vertices are needed as middles of edges.
+std::vector<bool> needed_middles(const Hierarchy& tree, std::span<const glm::vec3> positions, double tolerance) {
+  std::vector<bool> needed(positions.size());
+  const auto tolerance2 = static_cast<float>(tolerance * tolerance);
+  const auto far_from_edge = [&](std::uint32_t middle, std::uint32_t from, std::uint32_t to) {
+    const glm::vec3 off = positions[middle] - 0.5F * (positions[from] + positions[to]);
+    return glm::dot(off, off) > tolerance2;
+  };
+  for (int level = tree.finest() - 1; level >= group_level; --level) {
+    for (std::size_t i = 0; i < std::size_t{20} << (2 * level); ++i) {
+      const auto t = tree.corners(level, i), m = tree.middles(level, i);
+      if (far_from_edge(m.a, t.a, t.b)) needed[m.a] = true;
+      if (far_from_edge(m.b, t.b, t.c)) needed[m.b] = true;
+      if (far_from_edge(m.c, t.c, t.a)) needed[m.c] = true;
+      // A triangle that is split belongs to a parent that is split whole.
+      if (level > group_level && (needed[m.a] || needed[m.b] || needed[m.c])) {
+        const auto parent = tree.middles(level - 1, i / 4);
+        needed[parent.a] = needed[parent.b] = needed[parent.c] = true;
+      }
+    }
+  }
+  return needed;
+}
+
+// Adds what is left of triangle i of a level.
+void add_triangle(const Hierarchy& tree, const std::vector<bool>& needed, int level, std::size_t i,
+                  std::vector<std::uint32_t>& indices) {
+  const auto [a, b, c] = tree.corners(level, i);
+  const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) { indices.insert(indices.end(), {p, q, r}); };
+  if (level == tree.finest()) return add(a, b, c);
+  const auto [ab, bc, ca] = tree.middles(level, i);
+  const bool on_ab = needed[ab], on_bc = needed[bc], on_ca = needed[ca];
+  if (on_ab && on_bc && on_ca) {
+    for (std::size_t child = 0; child < 4; ++child) add_triangle(tree, needed, level + 1, 4 * i + child, indices);
+    return;
+  }
+  // From a corner on, around to the middles that are there: a fan.
+  const std::uint32_t corner = on_ab && on_bc ? ab : on_bc && on_ca ? bc : on_ca && on_ab ? ca : on_ab ? ab : on_bc ? bc : ca;
+  std::vector<std::uint32_t> rim = {a};
+  if (on_ab) rim.push_back(ab);
+  rim.push_back(b);
+  if (on_bc) rim.push_back(bc);
+  rim.push_back(c);
+  if (on_ca) rim.push_back(ca);
+  const bool whole = rim.size() == 3;
+  std::rotate(rim.begin(), whole ? rim.begin() : std::find(rim.begin(), rim.end(), corner), rim.end());
+  for (std::size_t k = 1; k + 1 < rim.size(); ++k) add(rim[0], rim[k], rim[k + 1]);
+}
+
 }  // namespace
+
+GroupedTriangles all_triangles(const Icosphere& sphere) {
+  const auto each = static_cast<std::uint32_t>(sphere.indices.size() / 3 / group_count);
+  CHECK(each > 0, sphere.indices.size());
+  GroupedTriangles all = {sphere.indices, {}};
+  for (std::uint32_t g = 0; g <= group_count; ++g) all.starts.push_back(g * each);
+  return all;
+}
+
+GroupedTriangles simplified(const Icosphere& sphere, std::span<const glm::vec3> positions, double tolerance) {
+  if (tolerance <= 0.0) return all_triangles(sphere);
+  const Hierarchy tree(sphere);
+  const std::vector<bool> needed = needed_middles(tree, positions, tolerance);
+  GroupedTriangles left = {{}, {0}};
+  for (std::size_t g = 0; g < group_count; ++g) {
+    add_triangle(tree, needed, group_level, g, left.indices);
+    left.starts.push_back(static_cast<std::uint32_t>(left.indices.size() / 3));
+  }
+  return left;
+}
 
 double icosphere_sag(int level) {
   // The middle of a triangle is at most an edge over the square root of 3 away from its corners.
@@ -41,9 +143,10 @@ double icosphere_sag(int level) {
   return edge * edge / 6.0;
 }
 
-std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, int level, std::span<const glm::vec3> positions) {
-  CHECK(level >= group_level && positions.size() == sphere.directions.size(), level, positions.size());
+std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, std::span<const glm::vec3> positions) {
+  CHECK(positions.size() == sphere.directions.size(), positions.size());
   const std::size_t each = sphere.indices.size() / group_count;
+  CHECK(each > 0, sphere.indices.size());
   std::vector<RadiusRange> ranges;
   ranges.reserve(group_count);
   for (std::size_t g = 0; g < group_count; ++g) {
@@ -53,19 +156,19 @@ std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, int level, std::
       lowest2 = std::min(lowest2, radius2);
       highest2 = std::max(highest2, radius2);
     }
-    ranges.push_back({(1.0 - icosphere_sag(level)) * std::sqrt(lowest2), std::sqrt(highest2)});
+    // The largest triangle that may be drawn is the group's own.
+    ranges.push_back({(1.0 - icosphere_sag(group_level)) * std::sqrt(lowest2), std::sqrt(highest2)});
   }
   return ranges;
 }
 
-std::vector<TriangleRun> visible_triangles(int level, const glm::dvec3& eye, double occluder, std::span<const float> tops) {
-  CHECK(level >= group_level && tops.size() == group_count, level, tops.size());
+std::vector<std::uint32_t> visible_groups(const glm::dvec3& eye, double occluder, std::span<const float> tops) {
+  CHECK(tops.size() == group_count, tops.size());
   static const std::vector<Cone> cones = make_cones();
-  const std::uint32_t each = 1U << (2 * (level - group_level));
   const double distance = glm::length(eye);
   const bool outside = distance > occluder;
   const double horizon = outside ? arc_cosine(occluder / distance) : 0.0;
-  std::vector<TriangleRun> runs;
+  std::vector<std::uint32_t> groups;
   for (std::uint32_t g = 0; g < group_count; ++g) {
     const auto top = static_cast<double>(tops[g]);
     if (top <= 0.0) continue;
@@ -74,13 +177,9 @@ std::vector<TriangleRun> visible_triangles(int level, const glm::dvec3& eye, dou
       const double away = arc_cosine(glm::dot(cones[g].axis, eye) / distance) - cones[g].half_angle;
       if (away > horizon && away > horizon + arc_cosine(occluder / top)) continue;
     }
-    if (!runs.empty() && runs.back().end == g * each) {
-      runs.back().end += each;
-    } else {
-      runs.push_back({g * each, (g + 1) * each});
-    }
+    groups.push_back(g);
   }
-  return runs;
+  return groups;
 }
 
 }  // namespace terrella

@@ -15,11 +15,20 @@ namespace terrella {
 inline constexpr int group_level = 4;
 inline constexpr std::size_t group_count = 20U << (2 * group_level);
 
-// Triangles [first, end) of an icosphere.
-struct TriangleRun {
-  std::uint32_t first, end;
-  bool operator==(const TriangleRun&) const = default;
+// Triangles, those of each group together.
+struct GroupedTriangles {
+  std::vector<std::uint32_t> indices;  // three a triangle, counter-clockwise from outside
+  std::vector<std::uint32_t> starts;   // first triangle of each group, and the end of the last: group_count + 1
 };
+
+// All triangles of an icosphere of a level, group_level or finer.
+GroupedTriangles all_triangles(const Icosphere& sphere);
+
+// Fewer triangles between the same vertices, without cracks: an edge of a coarser level is split only where its middle
+// lies further than tolerance from the straight edge, or where a finer split nearby asks for it ("red-green" refinement,
+// Bank, Sherman & Weiser 1983). sphere: of group_level or finer; positions: of its vertices, planet radii; tolerance:
+// planet radii, 0 for all triangles.
+GroupedTriangles simplified(const Icosphere& sphere, std::span<const glm::vec3> positions, double tolerance);
 
 // Between which radii a surface lies, planet radii.
 struct RadiusRange {
@@ -29,13 +38,12 @@ struct RadiusRange {
 // How far (part of the radius) the flat triangles of a level dip below the sphere through their corners, at the most.
 double icosphere_sag(int level);
 
-// The range of the surface over each group. positions: of the vertices of an icosphere of a level, group_level or finer,
-// planet radii.
-std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, int level, std::span<const glm::vec3> positions);
+// The range of the surface over each group, whichever of its triangles are drawn. sphere, positions: as above.
+std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, std::span<const glm::vec3> positions);
 
-// The triangles of a level (group_level or finer) that may be seen from an eye. eye: planet radii from the centre;
-// occluder: radius of a sphere that lies within the surface; tops: how high the surface rises over each of the groups,
-// planet radii, 0 where there is nothing to draw. From within the occluder all that is there may be seen.
-std::vector<TriangleRun> visible_triangles(int level, const glm::dvec3& eye, double occluder, std::span<const float> tops);
+// The groups that may be seen from an eye, in order. eye: planet radii from the centre; occluder: radius of a sphere that
+// lies within the surface; tops: how high the surface rises over each of the groups, planet radii, 0 where there is
+// nothing to draw. From within the occluder all that is there may be seen.
+std::vector<std::uint32_t> visible_groups(const glm::dvec3& eye, double occluder, std::span<const float> tops);
 
 }  // namespace terrella

@@ -35,6 +35,7 @@ struct Needs {
   Stars stars = Stars::none;
 
   int ground_level = 0;         // icosphere level of the finished ground
+  double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii
   int ground_texels = 0;        // side of a face of its map
   int pixel_octaves_first = 0;  // octaves of the ground computed at every pixel, because the map can't show them:
   int pixel_octaves_end = 0;    // [first, end); equal: none
