@@ -14,7 +14,7 @@ layout(std140) uniform FrameBlock {
   vec4 sea;                // x: radius; y: most that waves rise over it; z: number of waves; w: depth at which they are whole
   vec4 ripple;             // x: angle of the turned gradients; y: steepness, 0 where there are none; z: 1 if there is air; w: edge of the sea's mesh, rad
   vec4 water_extinction;   // xyz: of light in water, per radius
-  vec4 levels;             // x: sine of the latitude from which snow lies at the water's edge, above 1: nowhere; y: lift of the water's mesh, radii
+  vec4 levels;             // x: sine of the latitude from which snow lies at the water's edge, above 1: nowhere; y: lift of the water's mesh, radii; z: level of the map of the ground that pixels can show
   ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
 };
 

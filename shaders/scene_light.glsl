@@ -19,16 +19,16 @@ Air scene_air() {
   return air;
 }
 
-// The noise that clouds are made from, at the frame's time. blur: levels of the map to leave out.
-float cloud_noise(vec3 direction, float blur) {
+// The noise that clouds are made from, at the frame's time.
+float cloud_noise(vec3 direction) {
   vec3 d = vec3(cloud_turn.x * direction.x + cloud_turn.y * direction.y,
                 cloud_turn.x * direction.y - cloud_turn.y * direction.x, direction.z);
-  return dot(textureLod(clouds_map, d, cloud_turn.z + blur).rgb, cloud_moments.xyz);
+  return dot(textureLod(clouds_map, d, cloud_turn.z).rgb, cloud_moments.xyz);
 }
 
 // Thickness of the clouds over a place, 0..1.
-float cloud_over(vec3 direction, float blur) {
-  return cloud_thickness(cloud_noise(direction, blur), clouds_coverage, clouds_softness);
+float cloud_over(vec3 direction) {
+  return cloud_thickness(cloud_noise(direction), clouds_coverage, clouds_softness);
 }
 
 // Part of the sunlight that the clouds leave at a place under them.
@@ -38,7 +38,7 @@ float cloud_shade(vec3 place) {
   float climb = dot(place, sun);
   float reach = (1.0 + clouds_height) * (1.0 + clouds_height) - dot(place, place);
   float way = reach / (max(climb, 0.0) + sqrt(max(climb * climb + reach, 1.0e-8)));
-  return 1.0 - 0.85 * clouds_shadow * clouds_density * cloud_over(normalize(place + way * sun), 1.0);
+  return 1.0 - 0.85 * clouds_shadow * clouds_density * cloud_over(normalize(place + way * sun));
 }
 
 // The light that reaches a place.

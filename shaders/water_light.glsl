@@ -16,7 +16,7 @@ vec3 light_through(Water w, LightAt at, vec3 ray, float shade) {
   float dive = max(-dot(refracted, at.up), 0.25);
   // The bottom is where the ray meets it: one step from the depth below the surface comes close.
   vec3 bottom = normalize(at.up + refracted * (deep / dive));
-  vec4 found = textureLod(ground_map, bottom, 0.0);
+  vec4 found = textureLod(ground_map, bottom, levels.z);
   float height = w.depth > 0.0 ? min(found.w, 0.0) : found.w;
   float depth = max(0.5 * (deep - height), 0.0);
 

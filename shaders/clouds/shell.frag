@@ -6,7 +6,7 @@ in vec3 surface_from_eye;
 
 void main() {
   vec3 up = normalize(eye_position() + surface_from_eye);
-  float noise = cloud_noise(up, 0.0);
+  float noise = cloud_noise(up);
   float thickness = cloud_thickness(noise, clouds_coverage, clouds_softness);
   if (thickness <= 0.0) discard;
   vec3 to_eye = -normalize(surface_from_eye);
@@ -15,7 +15,7 @@ void main() {
   // The cloud is as high as it is thick: what rises towards the sun shades what lies behind it.
   vec3 toward = sun - climb * up;
   float reach = clouds_thickness / max(climb, 0.2);
-  float rise = 1.3 * (cloud_noise(normalize(up + reach * toward), 0.0) - noise);
+  float rise = 1.3 * (cloud_noise(normalize(up + reach * toward)) - noise);
   float from_below = dot(up, to_eye) < 0.0 ? 1.5 * thickness : 0.0;
   float depth = max(0.5 + 2.6 * rise, 0.0) + from_below;
   float self_shade = mix(1.0, exp(-depth) * 1.25, clouds_shadow);

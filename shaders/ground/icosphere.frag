@@ -2,6 +2,6 @@
 #include "ground_surface.glsl"
 
 void main() {
-  vec4 map = textureLod(ground_map, normalize(surface_position()), 0.0);
+  vec4 map = textureLod(ground_map, normalize(surface_position()), levels.z);
   emit_ground(map, map.xyz);
 }

@@ -1,8 +1,7 @@
 // Smooths edges in a finished picture: where brightness jumps, it blends along the edge (after the idea of Lottes 2009,
-// "FXAA"). strength 0 only scales the picture.
+// "FXAA").
 uniform sampler2D image;
-uniform vec2 texel;      // 1 / size of the image
-uniform float strength;  // 0 or 1
+uniform vec2 texel;  // 1 / size of the image
 
 in vec2 place;
 out vec4 fragment;
@@ -34,7 +33,7 @@ void main() {
   float west = texelFetch(image, max(at - ivec2(1, 0), ivec2(0)), 0).a;
   float darkest = min(middle.a, min(min(north, south), min(east, west)));
   float brightest = max(middle.a, max(max(north, south), max(east, west)));
-  bool edge = strength > 0.0 && brightest - darkest >= max(0.03, 0.11 * brightest);
+  bool edge = brightest - darkest >= max(0.03, 0.11 * brightest);
   // A loop, because software rasterizers run an if for all pixels, but leave a loop once no pixel of a group is in it.
   for (; edge; edge = false) fragment.rgb = blended(darkest, brightest);
 }

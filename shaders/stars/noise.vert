@@ -1,4 +1,4 @@
-// Stars as small squares at infinity, one an instance: points are drawn a little differently by each kind of OpenGL.
+// Stars as small squares at infinity: points are drawn a little differently by each kind of OpenGL.
 #include "scene_block.glsl"
 #include "frame_block.glsl"
 #include "lib/air.glsl"
@@ -26,7 +26,10 @@ void main() {
                         smoothstep(0.0, 0.3, dot(up, star.xyz));
     star_light *= mix(path.leave > path.enter ? 0.0 : 1.0, from_within, inside);
   }
-  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  // Two triangles: corners 0 1 2 and 1 3 2 of the square.
+  int corner_of = gl_VertexID % 6;
+  int c = corner_of < 3 ? corner_of : corner_of == 3 ? 1 : corner_of == 4 ? 3 : 2;
+  vec2 corner = vec2(float(c & 1), float(c >> 1)) * 2.0 - 1.0;
   star_place = 2.0 * corner;
   place.xy += corner * 4.0 * star_radius / picture_size * place.w;
   gl_Position = vec4(place.xy, place.w, place.w);  // at the far plane

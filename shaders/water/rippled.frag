@@ -23,5 +23,5 @@ void main() {
   r.wash = 0.0;
   add_ripples(r, 0, up, footprint);
   add_ripples(r, 1, up, footprint);
-  emit_calm_water(r, up, textureLod(ground_map, up, 0.0));
+  emit_calm_water(r, up, textureLod(ground_map, up, levels.z));
 }

@@ -7,7 +7,7 @@ in vec3 surface_from_eye;
 
 void main() {
   vec3 up = normalize(still_direction);
-  vec4 map = textureLod(ground_map, up, 0.0);
+  vec4 map = textureLod(ground_map, up, levels.z);
   float away = length(surface_from_eye);
   vec3 ray = surface_from_eye / away;
   Frame frame = frame_at(up);

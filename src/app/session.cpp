@@ -58,6 +58,10 @@ void Session::resize(int width, int height, double scale) {
   panel_frames_ = 3;
 }
 
+gl::Screen Session::screen(GLuint framebuffer) const {
+  return {framebuffer, static_cast<int>(width_ * scale_ + 0.5), static_cast<int>(height_ * scale_ + 0.5)};
+}
+
 View Session::view() const {
   const double resolution = scale_ * document_.scene.quality.resolution_scale * auto_scale_;
   View view;
@@ -202,8 +206,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
     turn.drawn = panel_wanted || panel_frames_ > 0;
   }
   if (turn.drawn) {
-    renderer_->show(framebuffer, static_cast<int>(width_ * scale_ + 0.5), static_cast<int>(height_ * scale_ + 0.5),
-                    document_.scene.quality.antialias);
+    renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
     if (panel_shown_) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (panel_frames_ > 0) --panel_frames_;
   }
@@ -351,8 +354,7 @@ void Session::render_at(double seconds, GLuint framebuffer) {
   seconds_ = seconds;
   renderer_->draw(document_.scene, view(), {});
   ++frames_;
-  renderer_->show(framebuffer, static_cast<int>(width_ * scale_ + 0.5), static_cast<int>(height_ * scale_ + 0.5),
-                  document_.scene.quality.antialias);
+  renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
   planet_stale_ = false;
   panel_frames_ = 2;
   unsigned char pixel[4];

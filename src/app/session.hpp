@@ -86,6 +86,8 @@ class Session {
   enum class Drag { none, turn, look };
 
   View view() const;
+  // The window or canvas, in its own pixels.
+  gl::Screen screen(GLuint framebuffer) const;
   void scene_was_changed();
   void update_pushes();
   void run_panel();

@@ -60,7 +60,7 @@ Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& o
   renderer.draw(scene, view, {});
   const gl::Target target(options.width, options.height, gl::Format::rgba8, false);
   target.begin();
-  renderer.show(target.framebuffer(), options.width, options.height, scene.quality.antialias);
+  renderer.show({target.framebuffer(), options.width, options.height}, scene.quality.antialias);
   const std::vector<unsigned char> bytes = target.read_bytes();
   Image picture(options.width, options.height, 3);
   for (int y = 0; y < options.height; ++y) {

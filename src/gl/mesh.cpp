@@ -1,5 +1,7 @@
 #include "gl/mesh.hpp"
 
+#include <vector>
+
 namespace terrella::gl {
 namespace {
 
@@ -47,21 +49,27 @@ Squares::Squares(int vec4s_each) : floats_each_(4 * static_cast<std::size_t>(vec
     const auto offset = sizeof(float) * 4 * static_cast<std::size_t>(i);
     glEnableVertexAttribArray(static_cast<GLuint>(i));
     glVertexAttribPointer(static_cast<GLuint>(i), 4, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offset));
-    glVertexAttribDivisor(static_cast<GLuint>(i), 1);
   }
   glBindVertexArray(0);
 }
 
 void Squares::set(std::span<const float> data) {
-  upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(data), GL_DYNAMIC_DRAW);
+  // Each once for every corner: instances of so few vertices cost more than the memory.
+  std::vector<float> vertices;
+  vertices.reserve(6 * data.size());
+  for (std::size_t first = 0; first < data.size(); first += floats_each_) {
+    const auto square = data.subspan(first, floats_each_);
+    for (int corner = 0; corner < 6; ++corner) vertices.insert(vertices.end(), square.begin(), square.end());
+  }
+  upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(std::span(vertices)), GL_DYNAMIC_DRAW);
   count_ = static_cast<GLsizei>(data.size() / floats_each_);
-  memory_.set(static_cast<std::int64_t>(data.size_bytes()));
+  memory_.set(static_cast<std::int64_t>(6 * data.size_bytes()));
 }
 
 void Squares::draw() const {
   if (count_ == 0) return;
   glBindVertexArray(array_.name());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+  glDrawArrays(GL_TRIANGLES, 0, 6 * count_);
   count_draw(2 * std::int64_t{count_});
 }
 

@@ -31,8 +31,8 @@ class Mesh {
   Holding memory_;
 };
 
-// Squares with a fixed number of floats each, read as vec4 attributes 0, 1, …; the vertex shader makes the four corners
-// from gl_VertexID.
+// Squares with a fixed number of floats each, read as vec4 attributes 0, 1, …; the vertex shader makes the corners of
+// their two triangles from gl_VertexID modulo 6.
 class Squares {
  public:
   explicit Squares(int vec4s_each);

@@ -58,9 +58,24 @@ void fill(const CubeMap& map, const std::array<float, 4>& value) {
   CubeTarget::end();
 }
 
-void begin_screen(GLuint framebuffer, int width, int height) {
+void Screen::begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, width, height);
 }
+
+void copy(const Target& picture, const Screen& screen) {
+  const int w = picture.image().width(), h = picture.image().height();
+  const bool same = w == screen.width && h == screen.height;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, screen.framebuffer);
+  glBlitFramebuffer(0, 0, w, h, 0, 0, screen.width, screen.height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+}
+
+Scissors::Scissors(int left, int bottom, int width, int height) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(left, bottom, width, height);
+}
+
+Scissors::~Scissors() { glDisable(GL_SCISSOR_TEST); }
 
 }  // namespace terrella::gl

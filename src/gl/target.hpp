@@ -44,7 +44,25 @@ class CubeTarget {
 // Gives all texels of the finest level one value.
 void fill(const CubeMap& map, const std::array<float, 4>& value);
 
-// Directs drawing to the window (or canvas), or to another framebuffer of the caller's.
-void begin_screen(GLuint framebuffer, int width, int height);
+// A window, a canvas, or another framebuffer of the caller's.
+struct Screen {
+  GLuint framebuffer;
+  int width, height;  // pixels
+
+  // Directs drawing there and sets the viewport to the whole of it.
+  void begin() const;
+};
+
+// Copies a picture to all of a screen, scaled to it.
+void copy(const Target& picture, const Screen& screen);
+
+// Keeps drawing to a rectangle of pixels, from the bottom left, as long as it lives.
+class Scissors {
+ public:
+  Scissors(int left, int bottom, int width, int height);
+  ~Scissors();
+  Scissors(const Scissors&) = delete;
+  Scissors& operator=(const Scissors&) = delete;
+};
 
 }  // namespace terrella::gl

@@ -47,11 +47,11 @@ void Image::bind(int unit) const {
   glBindTexture(GL_TEXTURE_2D, name());
 }
 
-CubeMap::CubeMap(int side, Format format, Mips mips) : side_(side) {
+CubeMap::CubeMap(int side, Format format) : side_(side) {
   CHECK(side >= 1, side);
   const Layout layout = layout_of(format);
   glBindTexture(GL_TEXTURE_CUBE_MAP, name());
-  set_filters(GL_TEXTURE_CUBE_MAP, mips == Mips::smooth ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
+  set_filters(GL_TEXTURE_CUBE_MAP, GL_LINEAR, GL_LINEAR);
   std::int64_t texels = 0;
   int level = 0;
   for (int s = side; s >= 1; s /= 2, ++level) {
@@ -64,14 +64,15 @@ CubeMap::CubeMap(int side, Format format, Mips mips) : side_(side) {
   memory_.set(texels * layout.bytes);
 }
 
-void CubeMap::bind(int unit) const {
+void CubeMap::bind(int unit, double level) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_CUBE_MAP, name());
-}
-
-void CubeMap::make_mipmaps() const {
-  glBindTexture(GL_TEXTURE_CUBE_MAP, name());
-  glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+  const bool mipmapped = level > 0.0;
+  if (mipmapped && !mipmaps_current_) {
+    glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+    mipmaps_current_ = true;
+  }
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, mipmapped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
 }
 
 }  // namespace terrella::gl

@@ -30,22 +30,25 @@ class Image {
   CountedTexture counted_;
 };
 
-// How the levels of a mipmap are joined: sharp takes the nearest one, at half the cost.
-enum class Mips { smooth, sharp };
-
 // Six square faces around the planet, with mipmaps. side: texels, a power of two or any other number >= 1.
 class CubeMap {
  public:
-  CubeMap(int side, Format format, Mips mips = Mips::smooth);
+  CubeMap(int side, Format format);
 
-  void bind(int unit) const;
-  void make_mipmaps() const;
+  // Makes it readable. level: of the mipmap that will be read, 0 for the whole map; the coarser levels are made, and
+  // neighbouring ones blended, only where it is above 0.
+  void bind(int unit, double level = 0.0);
+
+  // To be called where the map has been drawn into.
+  void changed() { mipmaps_current_ = false; }
+
   [[nodiscard]] GLuint name() const { return texture_.name(); }
   [[nodiscard]] int side() const { return side_; }
 
  private:
   TextureHandle texture_;
   int side_;
+  bool mipmaps_current_ = false;
   Holding memory_;
   CountedTexture counted_;
 };

@@ -1,7 +1,9 @@
 #include "passes/clouds_shell.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -10,7 +12,7 @@ namespace terrella {
 namespace {
 
 // Noise evaluated in one frame while the maps are behind.
-constexpr std::int64_t noise_a_frame = 900'000;
+constexpr double noise_a_frame = 900'000.0;
 
 // Every step of time has its own channel, whatever came before it: pictures do not depend on their history.
 int channel_of(std::int64_t step) { return static_cast<int>(((step % 3) + 3) % 3); }
@@ -31,7 +33,7 @@ void CloudsShell::update(const Frame& frame) {
     steps_.fill(std::nullopt);
     job_step_.reset();
     if (!fine_ || fine_->side() != key.texels) {
-      fine_ = std::make_unique<gl::CubeMap>(key.texels, gl::Format::rgba16f, gl::Mips::sharp);
+      fine_ = std::make_unique<gl::CubeMap>(key.texels, gl::Format::rgba16f);
       gl::fill(*fine_, {0.0F, 0.0F, 0.0F, 0.0F});  // a channel of weight 0 must still hold a number
     }
   }
@@ -50,8 +52,7 @@ void CloudsShell::update(const Frame& frame) {
   }
   coarse_in_use_ = !holds(step) || !holds(step + pair - 1);
   if (coarse_in_use_) {
-    const auto hasty_rows = static_cast<int>(noise_a_frame / (std::int64_t{key.texels} * key.octaves));
-    if (frame.effort == Effort::live) advance(frame, step, pair, hasty_rows);
+    if (frame.effort == Effort::live) advance(frame, step, pair, hasty_rows(frame, interval));
     make_coarse(frame);
     moments_ = {1.0, 0.0, 0.0};
     return;
@@ -65,6 +66,14 @@ void CloudsShell::update(const Frame& frame) {
   moments_ = glm::dvec3(0.0);
   moments_[channel_of(step)] += 1.0 - blend;
   moments_[channel_of(step + pair - 1)] += blend;
+}
+
+int CloudsShell::hasty_rows(const Frame& frame, double interval) {
+  const double elapsed = frame.view.seconds - std::exchange(last_seconds_, frame.view.seconds);
+  const double at_ease = noise_a_frame / (static_cast<double>(key_->texels) * key_->octaves);
+  // Where frames are slow, time must still be caught up with: twice as fast as it runs.
+  const double pace = interval > 0.0 ? 2.0 * CubeBake::rows(*fine_) * elapsed / interval : 0.0;
+  return static_cast<int>(std::clamp(pace, at_ease, 4.0 * at_ease));
 }
 
 bool CloudsShell::holds(std::int64_t step) const { return steps_.at(static_cast<std::size_t>(channel_of(step))) == step; }
@@ -91,12 +100,12 @@ bool CloudsShell::advance(const Frame& frame, std::int64_t step, int steps, int 
 }
 
 void CloudsShell::make_coarse(const Frame& frame) {
-  if (!coarse_) coarse_ = std::make_unique<gl::CubeMap>(coarse_cloud_texels, gl::Format::rgba16f, gl::Mips::sharp);
+  if (!coarse_) coarse_ = std::make_unique<gl::CubeMap>(coarse_cloud_texels, gl::Format::rgba16f);
   coarse_bake_.restart();
   bake(frame, coarse_bake_, *coarse_, frame.view.seconds, CubeBake::rows(*coarse_));
 }
 
-void CloudsShell::bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, double seconds, int rows) {
+void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, double seconds, int rows) {
   const int octaves = frame.needs.cloud_octaves;
   bake_program_.use();
   bake_program_.set("octaves", octaves);
@@ -114,7 +123,7 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& ma
   noise_evaluations_ += bake.advance(bake_program_, map, rows) * octaves;
 }
 
-void CloudsShell::bind_map() const { (coarse_in_use_ ? coarse_ : fine_)->bind(gl::unit_clouds); }
+void CloudsShell::bind_map(double level) { (coarse_in_use_ ? coarse_ : fine_)->bind(gl::unit_clouds, level); }
 
 void CloudsShell::draw(const Frame& frame) {
   const double shell = 1.0 + frame.scene.clouds.height / frame.scene.planet.radius;

@@ -23,7 +23,9 @@ class CloudsShell {
   // Brings the map up to the frame's time, as far as its effort allows. Needs the scene's uniform block.
   void update(const Frame& frame);
 
-  void bind_map() const;
+  void bind_map(double level);
+  // Distance of the texels of the map in use, rad.
+  [[nodiscard]] double map_texel_angle() const { return texel_angle((coarse_in_use_ ? coarse_ : fine_)->side()); }
   // How the moments in the channels of the map make up the frame's time; their sum is 1.
   [[nodiscard]] const glm::dvec3& moments() const { return moments_; }
 
@@ -44,9 +46,11 @@ class CloudsShell {
 
   // Whether the map holds a finished step.
   [[nodiscard]] bool holds(std::int64_t step) const;
+  // How many rows to make in a frame while the map is behind. interval: between steps, s.
+  int hasty_rows(const Frame& frame, double interval);
   // Makes rows of the first step missing from step on; returns false if none of the next few is missing.
   bool advance(const Frame& frame, std::int64_t step, int steps, int rows);
-  void bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, double seconds, int rows);
+  void bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, double seconds, int rows);
   void make_coarse(const Frame& frame);
 
   SphereMeshes& spheres_;
@@ -58,6 +62,7 @@ class CloudsShell {
   CubeBake job_, coarse_bake_;
   std::optional<std::int64_t> job_step_;
   bool coarse_in_use_ = true;
+  double last_seconds_ = 0.0;  // time of the last frame that found the map behind
   glm::dvec3 moments_{1.0, 0.0, 0.0};
   std::int64_t noise_evaluations_ = 0;
 };

@@ -4,7 +4,7 @@
 
 namespace terrella {
 
-std::int64_t CubeBake::advance(gl::Program& program, const gl::CubeMap& map, int count) {
+std::int64_t CubeBake::advance(gl::Program& program, gl::CubeMap& map, int count) {
   const int side = map.side();
   const int end = std::min(next_row_ + std::max(count, 1), rows(map));
   std::int64_t texels = 0;
@@ -22,7 +22,7 @@ std::int64_t CubeBake::advance(gl::Program& program, const gl::CubeMap& map, int
     next_row_ += last - first;
   }
   gl::CubeTarget::end();
-  if (done(map)) map.make_mipmaps();
+  map.changed();
   return texels;
 }
 

@@ -21,7 +21,7 @@ class CubeBake {
 
   // Draws up to count further rows with the current program, whose uniforms are set but for "face"; makes the mipmaps
   // after the last. Returns the texels drawn.
-  std::int64_t advance(gl::Program& program, const gl::CubeMap& map, int count);
+  std::int64_t advance(gl::Program& program, gl::CubeMap& map, int count);
 
  private:
   gl::CubeTarget target_;

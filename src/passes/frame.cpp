@@ -37,7 +37,12 @@ RadiusRange water_range(const Frame& frame) {
   return {(level - frame.sea.highest) * (1.0 - icosphere_sag(frame.needs.water_level)), level + frame.sea.highest};
 }
 
-FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm::dvec3& cloud_moments) {
+double map_level(const Frame& frame, double radius, double texel) {
+  const double pixel = std::abs(glm::length(frame.pose.eye) - radius) * frame.pose.pixel_angle;
+  return std::max(0.0, std::log2(std::max(pixel, 1e-12) / texel));
+}
+
+FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   const auto& [scene, view, pose, needs, sea, channel, effort] = frame;
   const double aspect = static_cast<double>(view.width) / view.height;
   const glm::vec3 high(pose.eye);
@@ -58,13 +63,10 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm:
   const Color sun = scene.sun.color;
   const glm::dvec3 sun_color(linear_light(sun.r), linear_light(sun.g), linear_light(sun.b));
   block.sun_light = vector(sun_color * scene.sun.intensity);
-  block.ground_map_scale = glm::vec4(ground_texel_angle, needs.pixel_octaves_first, needs.pixel_octaves_end,
+  block.ground_map_scale = glm::vec4(maps.ground_texel, needs.pixel_octaves_first, needs.pixel_octaves_end,
                                      needs.water == Water::none ? 0.0 : 1.0);
-  const double shell = 1.0 + scene.clouds.height / radius;
-  const double pixel = std::abs(glm::length(pose.eye) - shell) * pose.pixel_angle;  // on the nearest clouds, rad
-  const double cloud_level = std::max(0.0, std::log2(pixel / texel_angle(std::max(needs.cloud_texels, 1))));
-  block.cloud_turn = glm::vec4(std::cos(drift), std::sin(drift), cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
-  block.cloud_moments = vector(cloud_moments);
+  block.cloud_turn = glm::vec4(std::cos(drift), std::sin(drift), maps.cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
+  block.cloud_moments = vector(maps.cloud_moments);
   // Waves feel the ground where the water is a few of their heights deep.
   const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
   block.sea = glm::vec4(1.0 + level, sea.highest, static_cast<double>(sea.waves.size()), shoal);
@@ -75,7 +77,7 @@ FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm:
   block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
   const double snow_latitude = scene.terrain.snow_latitude;
   const double snow_sine = snow_latitude >= 90.0 ? 2.0 : std::sin(glm::radians(snow_latitude));
-  block.levels = glm::vec4(snow_sine, water_lift(frame), 0.0, 0.0);
+  block.levels = glm::vec4(snow_sine, water_lift(frame), maps.ground_level, 0.0);
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

@@ -51,7 +51,17 @@ struct Frame {
 // Between which radii the water is drawn, troughs and the dips of flat triangles included; 0 and 0 where there is none.
 RadiusRange water_range(const Frame& frame);
 
-// cloud_moments: weights of the moments that the map of the clouds holds.
-FrameBlock frame_block(const Frame& frame, double ground_texel_angle, const glm::dvec3& cloud_moments);
+// The maps that passes read, as they are for a frame.
+struct Maps {
+  double ground_texel = texel_angle(1);  // distance of the texels of the map of the ground, rad
+  double ground_level = 0.0;             // of its mipmap that pixels can show
+  double cloud_level = 0.0;
+  glm::dvec3 cloud_moments{0.0};  // weights of the moments that the map of the clouds holds
+};
+
+// The level of a mipmap at which its texels (rad apart at level 0) are as far apart as pixels on a sphere of a radius.
+double map_level(const Frame& frame, double radius, double texel);
+
+FrameBlock frame_block(const Frame& frame, const Maps& maps);
 
 }  // namespace terrella

@@ -86,7 +86,7 @@ void GroundIcosphere::advance_fine(const Frame& frame) {
   }
 }
 
-void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, int rows) {
+void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows) {
   bake_program_.use();
   bake_program_.set("texel_angle", static_cast<float>(texel_angle(map.side())));
   noise_evaluations_ += bake.advance(bake_program_, map, rows) * frame.scene.terrain.octaves;
@@ -103,7 +103,7 @@ void GroundIcosphere::displace(const Frame& frame, const Icosphere& sphere, int 
   }
 }
 
-void GroundIcosphere::bind_map() const { (fine_done_ ? fine_map_ : coarse_map_)->bind(gl::unit_ground); }
+void GroundIcosphere::bind_map(double level) { (fine_done_ ? fine_map_ : coarse_map_)->bind(gl::unit_ground, level); }
 
 double GroundIcosphere::map_texel_angle() const { return texel_angle((fine_done_ ? fine_map_ : coarse_map_)->side()); }
 

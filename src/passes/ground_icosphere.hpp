@@ -25,8 +25,8 @@ class GroundIcosphere {
   // Brings mesh and map up to date, as far as the frame's effort allows. Needs the scene's uniform block.
   void update(const Frame& frame);
 
-  // Makes the map readable by all passes.
-  void bind_map() const;
+  // Makes the map readable by all passes. level: of its mipmap that they read.
+  void bind_map(double level);
   // Distance of the texels of the map in use, rad.
   [[nodiscard]] double map_texel_angle() const;
 
@@ -61,7 +61,7 @@ class GroundIcosphere {
   Surface make_surface(const Frame& frame, int level, std::vector<glm::vec3> positions);
   void make_coarse(const Frame& frame);
   void advance_fine(const Frame& frame);
-  void bake(const Frame& frame, CubeBake& bake, const gl::CubeMap& map, int rows);
+  void bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows);
   // Computes the vertices from the number made so far up to an end.
   void displace(const Frame& frame, const Icosphere& sphere, int level, std::size_t end,
                 std::vector<glm::vec3>& positions);

@@ -17,9 +17,9 @@ void GroupedMesh::draw(std::vector<std::uint32_t> groups) {
   if (groups != groups_) {
     std::vector<std::uint32_t> chosen;
     for (const std::uint32_t g : groups) {
-      const auto first = triangles_.indices.begin() + 3 * std::ptrdiff_t{triangles_.starts[g]};
-      const auto end = triangles_.indices.begin() + 3 * std::ptrdiff_t{triangles_.starts[g + 1]};
-      chosen.insert(chosen.end(), first, end);
+      const std::size_t first = triangles_.starts[g], end = triangles_.starts[g + 1];
+      const auto group = std::span(triangles_.indices).subspan(3 * first, 3 * (end - first));
+      chosen.insert(chosen.end(), group.begin(), group.end());
     }
     mesh_.set_indices(chosen);
     groups_ = std::move(groups);

@@ -1,5 +1,7 @@
 #include "passes/picture.hpp"
 
+#include <cmath>
+
 namespace terrella {
 
 void PicturePass::develop(const gl::Image& light) {
@@ -13,12 +15,18 @@ void PicturePass::develop(const gl::Image& light) {
   triangle_.draw();
 }
 
-void PicturePass::show(bool antialias) {
+void PicturePass::show(const gl::Screen& screen, const PictureBox* smooth) {
+  gl::copy(*developed_, screen);
+  if (smooth == nullptr) return;
   const gl::Image& image = developed_->image();
+  const auto pixel = [](double part, int all) { return static_cast<int>(std::lround(part * all)); };
+  const int left = pixel(smooth->left, screen.width) - 1, bottom = pixel(smooth->bottom, screen.height) - 1;
+  screen.begin();
+  const gl::Scissors scissors(left, bottom, pixel(smooth->right, screen.width) + 1 - left,
+                              pixel(smooth->top, screen.height) + 1 - bottom);
   image.bind(gl::unit_image);
   antialias_.use();
   antialias_.set("texel", 1.0F / static_cast<float>(image.width()), 1.0F / static_cast<float>(image.height()));
-  antialias_.set("strength", antialias ? 1.0F : 0.0F);
   triangle_.draw();
 }
 

@@ -6,6 +6,7 @@
 #include "gl/mesh.hpp"
 #include "gl/program.hpp"
 #include "gl/target.hpp"
+#include "planet/pose.hpp"
 
 namespace terrella {
 
@@ -16,8 +17,9 @@ class PicturePass {
   // Makes the finished picture from light, at the light's size.
   void develop(const gl::Image& light);
 
-  // Draws the finished picture over the whole of the current framebuffer, scaled to it. Needs develop once.
-  void show(bool antialias);
+  // Shows the finished picture on the whole of a framebuffer, scaled to it. smooth: the part of it in which edges are
+  // smoothed, if any. Needs develop once.
+  void show(const gl::Screen& screen, const PictureBox* smooth);
 
  private:
   gl::Program tone_{"picture/tone", "picture/screen"};

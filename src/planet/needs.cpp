@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -120,6 +121,24 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
                                   : "a ripple is under two pixels: it only widens the glitter");
 }
 
+// By how much (rad) the coarsest layer of clouds may turn between two pictures that are blended. Half way between two
+// gradients that are an angle apart, their mean is shorter by the cosine of half of it; layer i turns by 2^i times as much
+// as the coarsest. The angle is such that all layers together lose a part of their amplitude that nobody sees.
+double blend_turn(double persistence, int octaves) {
+  constexpr double may_be_lost = 0.02;
+  const auto lost = [&](double turn) {
+    double loss = 0.0, total = 0.0, amplitude = 1.0;
+    for (int i = 0; i < octaves; ++i, amplitude *= persistence) {
+      loss += amplitude * (1.0 - std::cos(std::min(0.5 * std::ldexp(turn, i), 0.5 * std::numbers::pi)));
+      total += amplitude;
+    }
+    return loss / total;
+  };
+  double turn = 4.0;
+  while (lost(turn) > may_be_lost) turn *= 0.9;
+  return turn;
+}
+
 void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& clouds = scene.clouds;
   const bool seen = clouds.model != model_none && clouds.coverage > 0.0 && clouds.density > 0.0 && clouds.octaves > 0;
@@ -138,11 +157,10 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   needs.cloud_octaves = std::max(1, visible_octaves(clouds.frequency, 2.0, clouds.octaves, footprint));
   decide.add("clouds.octaves", needs.cloud_octaves,
              needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for" : "finer ones are under two texels of their map");
-  // Between two pictures the gradients of the finest layer turn by a radian: blending them loses little (cos 1/2).
-  const double fastest = clouds.speed * std::ldexp(1.0, needs.cloud_octaves - 1);
-  needs.cloud_interval = fastest > 0.0 ? 1.0 / fastest : 0.0;
+  needs.cloud_interval = clouds.speed > 0.0 ? blend_turn(clouds.persistence, needs.cloud_octaves) / clouds.speed : 0.0;
   decide.add("clouds.interval", needs.cloud_interval,
-             fastest > 0.0 ? "seconds in which the finest layer turns by a radian" : "clouds.speed is 0");
+             clouds.speed > 0.0 ? "seconds between two pictures of the clouds, so that blending them loses 2 % of the noise"
+                                : "clouds.speed is 0");
 }
 
 void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -30,6 +32,17 @@ void set_depth_range(Pose& pose, double top) {
   // Half of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
   pose.near = std::max(0.3 * pose.clearance, 0.9 * (distance - top));
   pose.near = std::min(pose.near, 0.5 * pose.far);
+}
+
+// Where a sphere begins and ends along one axis of the picture, as tangents. across, ahead: of its centre from the eye.
+std::pair<double, double> extent(double across, double ahead, double radius) {
+  constexpr double everything = 1e9;
+  const double distance = std::hypot(across, ahead);
+  if (distance <= radius) return {-everything, everything};
+  const double middle = std::atan2(across, ahead), half = std::asin(radius / distance);
+  const double right_angle = 0.5 * std::numbers::pi;
+  return {middle - half > -right_angle ? std::tan(middle - half) : -everything,
+          middle + half < right_angle ? std::tan(middle + half) : everything};
 }
 
 }  // namespace
@@ -83,6 +96,20 @@ glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pix
   const double x = (2.0 * (pixel.x - view.shift.x) - view.width) / view.height;
   const double y = 1.0 - 2.0 * (pixel.y - view.shift.y) / view.height;
   return glm::normalize(pose.forward + pose.tan_half_fov * (x * pose.right + y * pose.up));
+}
+
+PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
+  const double ahead = -glm::dot(pose.eye, pose.forward);
+  const auto [left, right] = extent(-glm::dot(pose.eye, pose.right), ahead, radius);
+  const auto [bottom, top] = extent(-glm::dot(pose.eye, pose.up), ahead, radius);
+  const auto part = [](double tangent, double edge) { return std::clamp(0.5 + 0.5 * tangent / edge, 0.0, 1.0); };
+  const double edge_y = pose.tan_half_fov, edge_x = edge_y * view.width / view.height;
+  return {part(left, edge_x), part(bottom, edge_y), part(right, edge_x), part(top, edge_y)};
+}
+
+double outermost_radius(const Scene& scene) {
+  const double air = scene.air.model != 0 ? 1.0 + scene.air.height / scene.planet.radius : 1.0;
+  return std::max(top_radius(scene), air);
 }
 
 glm::mat4 clip_from_eye(const Pose& pose, const View& view) {

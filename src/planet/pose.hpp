@@ -43,6 +43,17 @@ Pose pose_of(const Scene& scene, const View& view);
 // The unit direction that a pixel (from the top left, may be fractional) looks along.
 glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pixel);
 
+// A part of a picture, each side 0..1 of its width or height, from the bottom left.
+struct PictureBox {
+  double left = 0.0, bottom = 0.0, right = 1.0, top = 1.0;
+};
+
+// What a sphere around the planet's centre can cover. radius: planet radii; around the eye, all of the picture.
+PictureBox box_of_sphere(const Pose& pose, const View& view, double radius);
+
+// Radius that nothing of a scene but the stars lies beyond.
+double outermost_radius(const Scene& scene);
+
 // From positions relative to the eye to clip space.
 glm::mat4 clip_from_eye(const Pose& pose, const View& view);
 

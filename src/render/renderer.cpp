@@ -85,11 +85,12 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   const Sea sea = make_sea(scene, view.seconds);
   const Frame frame = {scene, view, pose_, needs_, sea, shot.channel, shot.effort};
 
+  planet_box_ = box_of_sphere(pose_, view, outermost_radius(scene));
+
   gl::begin_frame();
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene)));
   update_slots(frame);
-  set_frame_block(frame);
-  bind_maps();
+  set_maps(frame);
   begin_light(view, shot);
 
   draw_opaque();
@@ -125,23 +126,25 @@ void Renderer::update_slots(const Frame& frame) {
   noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
 }
 
-void Renderer::set_frame_block(const Frame& frame) {
-  const double texel = ground_ ? ground_->map_texel_angle() : texel_angle(1);
-  const FrameBlock block = frame_block(frame, texel, clouds_ ? clouds_->moments() : glm::dvec3(0.0));
-  frame_buffer_.set(gl::block_frame, std::as_bytes(std::span(&block, 1)));
-}
-
-void Renderer::bind_maps() {
+void Renderer::set_maps(const Frame& frame) {
+  Maps maps;
   if (ground_) {
-    ground_->bind_map();
+    maps.ground_texel = ground_->map_texel_angle();
+    maps.ground_level = map_level(frame, 1.0, maps.ground_texel);
+    ground_->bind_map(maps.ground_level);
   } else {
     no_ground_.bind(gl::unit_ground);
   }
   if (clouds_) {
-    clouds_->bind_map();
+    const double shell = 1.0 + frame.scene.clouds.height / frame.scene.planet.radius;
+    maps.cloud_level = map_level(frame, shell, clouds_->map_texel_angle());
+    maps.cloud_moments = clouds_->moments();
+    clouds_->bind_map(maps.cloud_level);
   } else {
     no_clouds_.bind(gl::unit_clouds);
   }
+  const FrameBlock block = frame_block(frame, maps);
+  frame_buffer_.set(gl::block_frame, std::as_bytes(std::span(&block, 1)));
 }
 
 void Renderer::begin_light(const View& view, const Shot& shot) {
@@ -162,10 +165,9 @@ void Renderer::begin_light(const View& view, const Shot& shot) {
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-void Renderer::show(GLuint framebuffer, int width, int height, bool antialias) {
-  gl::begin_screen(framebuffer, width, height);
+void Renderer::show(const gl::Screen& screen, bool antialias) {
   draw_flat();
-  picture_.show(antialias);
+  picture_.show(screen, antialias ? &planet_box_ : nullptr);
 }
 
 bool Renderer::settled() const {

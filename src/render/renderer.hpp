@@ -46,8 +46,8 @@ class Renderer {
   // Draws into the renderer's own picture of light. view: in pixels drawn.
   void draw(const Scene& scene, const View& view, const Shot& shot);
 
-  // Shows the last drawn picture (of colour) on a framebuffer of any size.
-  void show(GLuint framebuffer, int width, int height, bool antialias);
+  // Shows the last drawn picture (of colour) on a screen of any size; antialias smooths the planet's edges.
+  void show(const gl::Screen& screen, bool antialias);
 
   // The picture of light: linear, after exposure, bottom row first, four channels; or a measurement in planet radii.
   [[nodiscard]] std::vector<float> read_light() const { return light_->read_floats(); }
@@ -64,8 +64,7 @@ class Renderer {
   double choose_techniques();
   void update_slots(const Frame& frame);
   void begin_light(const View& view, const Shot& shot);
-  void set_frame_block(const Frame& frame);
-  void bind_maps();
+  void set_maps(const Frame& frame);
 
   SphereMeshes spheres_;
   gl::UniformBuffer scene_buffer_, frame_buffer_;
@@ -79,6 +78,7 @@ class Renderer {
   gl::CubeMap no_ground_;  // all sea
   gl::CubeMap no_clouds_;
   Needs needs_;
+  PictureBox planet_box_;
   Pose pose_{};
   std::int64_t noise_evaluations_ = 0;
 };
