@@ -3,7 +3,7 @@
 #include "lib/clouds.glsl"
 
 uniform int octaves;
-uniform vec4 angles[3];  // by which each layer's gradients are turned, rad
+uniform vec4 turns[6];  // cosine and sine of the angle by which each layer's gradients are turned, two layers in each
 
 in vec3 cube_direction;
 out vec4 fragment;
@@ -17,8 +17,9 @@ void main() {
   float sum = 0.0;
   float total = 0.0;
   for (int i = 0; i < octaves; ++i) {
-    float angle = angles[i >> 2][i & 3];
-    sum += flow_layer(direction, frequency, amplitude, clouds_warp, angle, i, seed, warp);
+    vec4 pair = turns[i >> 1];
+    vec2 turn = (i & 1) == 0 ? pair.xy : pair.zw;
+    sum += flow_layer(direction, frequency, amplitude, clouds_warp, turn, i, seed, warp);
     total += amplitude;
     frequency *= 2.0;
     amplitude *= clouds_persistence;

@@ -10,9 +10,21 @@ struct Noise {
   vec3 gradient;  // of value by position, per cell
 };
 
-// A well mixed integer from a cell and a seed: the same on every machine.
-uint hash_cell(ivec3 cell, uint seed) {
-  uint h = uint(cell.x) * 0x8da6b343u ^ uint(cell.y) * 0xd8163841u ^ uint(cell.z) * 0xcb1ab31fu ^ seed * 0x9e3779b9u;
+// The lattice's axes as they enter the hash; a neighbour's key is its cell's plus these.
+const uvec3 cell_step = uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
+
+uvec3 cell_key(ivec3 cell) {
+  return uvec3(cell) * cell_step;
+}
+
+// What a seed adds to every hash.
+uint seed_key(uint seed) {
+  return seed * 0x9e3779b9u;
+}
+
+// A well mixed integer from the keys of a cell and of a seed.
+uint hash_key(uvec3 cell, uint seed) {
+  uint h = cell.x ^ cell.y ^ cell.z ^ seed;
   h ^= h >> 16;
   h *= 0x7feb352du;
   h ^= h >> 15;
@@ -20,10 +32,15 @@ uint hash_cell(ivec3 cell, uint seed) {
   return h ^ (h >> 16);
 }
 
+// A well mixed integer from a cell and a seed: the same on every machine.
+uint hash_cell(ivec3 cell, uint seed) {
+  return hash_key(cell_key(cell), seed_key(seed));
+}
+
 // A unit vector from 32 random bits, spread over the sphere by an octahedron: no direction of the lattice is preferred.
 vec3 hash_direction(uint h) {
-  float x = float(h & 0xffffu) / 32767.5 - 1.0;
-  float y = float(h >> 16) / 32767.5 - 1.0;
+  float x = float(int(h & 0xffffu)) * (1.0 / 32767.5) - 1.0;
+  float y = float(int(h >> 16)) * (1.0 / 32767.5) - 1.0;
   float z = 1.0 - abs(x) - abs(y);
   float fold = max(-z, 0.0);
   x += x >= 0.0 ? -fold : fold;
@@ -50,24 +67,24 @@ Noise noise_corner(vec3 offset, vec3 direction) {
 }
 
 struct Simplex {
-  ivec3 cell0, cell1, cell2, cell3;  // the four corners around a place
+  uvec3 key0, key1, key2, key3;  // of the cells of the four corners around a place
   vec3 offset0, offset1, offset2, offset3;
 };
 
 // The simplex that holds the place q of a cell.
 Simplex simplex_of(ivec3 cell, vec3 q) {
-  vec3 base = floor(q + (q.x + q.y + q.z) / 3.0);
-  vec3 x = q - base + (base.x + base.y + base.z) / 6.0;
+  vec3 base = floor(q + (q.x + q.y + q.z) * (1.0 / 3.0));
+  vec3 x = q - base + (base.x + base.y + base.z) * (1.0 / 6.0);
   bool xy = x.x >= x.y;
   bool yz = x.y >= x.z;
   bool xz = x.x >= x.z;
-  ivec3 most = ivec3(xy && xz ? 1 : 0, !xy && yz ? 1 : 0, !xz && !yz ? 1 : 0);
-  ivec3 two = ivec3(xy || xz ? 1 : 0, !xy || yz ? 1 : 0, !xz || !yz ? 1 : 0);
+  bvec3 most = bvec3(xy && xz, !xy && yz, !xz && !yz);
+  bvec3 two = bvec3(xy || xz, !xy || yz, !xz || !yz);
   Simplex s;
-  s.cell0 = cell + ivec3(base);
-  s.cell1 = s.cell0 + most;
-  s.cell2 = s.cell0 + two;
-  s.cell3 = s.cell0 + ivec3(1);
+  s.key0 = cell_key(cell + ivec3(base));
+  s.key1 = s.key0 + uvec3(most.x ? cell_step.x : 0u, most.y ? cell_step.y : 0u, most.z ? cell_step.z : 0u);
+  s.key2 = s.key0 + uvec3(two.x ? cell_step.x : 0u, two.y ? cell_step.y : 0u, two.z ? cell_step.z : 0u);
+  s.key3 = s.key0 + cell_step;
   s.offset0 = x;
   s.offset1 = x - vec3(most) + 1.0 / 6.0;
   s.offset2 = x - vec3(two) + 1.0 / 3.0;
@@ -78,38 +95,42 @@ Simplex simplex_of(ivec3 cell, vec3 q) {
 // Scales the sum of the four corners to about -1..1 (tests/laws/noise_test.cpp measures the range).
 const float noise_scale = 38.5;
 
+Noise noise_of_corners(Noise a, Noise b, Noise c, Noise d) {
+  Noise n;
+  n.value = noise_scale * ((a.value + b.value) + (c.value + d.value));
+  n.gradient = noise_scale * ((a.gradient + b.gradient) + (c.gradient + d.gradient));
+  return n;
+}
+
 // The field itself, with fixed gradients. q: finite, within 1e6 cells of its cell's corner.
 Noise simplex_noise(ivec3 cell, vec3 q, uint seed) {
   Simplex s = simplex_of(cell, q);
-  Noise a = noise_corner(s.offset0, hash_direction(hash_cell(s.cell0, seed)));
-  Noise b = noise_corner(s.offset1, hash_direction(hash_cell(s.cell1, seed)));
-  Noise c = noise_corner(s.offset2, hash_direction(hash_cell(s.cell2, seed)));
-  Noise d = noise_corner(s.offset3, hash_direction(hash_cell(s.cell3, seed)));
-  Noise n;
-  n.value = noise_scale * ((a.value + b.value) + (c.value + d.value));
-  n.gradient = noise_scale * ((a.gradient + b.gradient) + (c.gradient + d.gradient));
-  return n;
+  uint key = seed_key(seed);
+  return noise_of_corners(noise_corner(s.offset0, hash_direction(hash_key(s.key0, key))),
+                          noise_corner(s.offset1, hash_direction(hash_key(s.key1, key))),
+                          noise_corner(s.offset2, hash_direction(hash_key(s.key2, key))),
+                          noise_corner(s.offset3, hash_direction(hash_key(s.key3, key))));
 }
 
 // The gradient of one corner, turned by an angle given as its cosine and sine.
-vec3 turned_direction(ivec3 cell, uint seed, float cosine, float sine) {
-  vec3 direction = hash_direction(hash_cell(cell, seed));
-  return cosine * direction + sine * perpendicular(direction);
+vec3 turned_direction(uint h, vec2 turn) {
+  vec3 direction = hash_direction(h);
+  return turn.x * direction + turn.y * perpendicular(direction);
 }
 
-// The field with every gradient turned by angle (rad, any; reduce it to one turn on the host). Period 2 pi in angle.
-Noise flow_noise(ivec3 cell, vec3 q, float angle, uint seed) {
+// The field with every gradient turned by an angle, given as its cosine and sine.
+Noise turned_noise(ivec3 cell, vec3 q, vec2 turn, uint seed) {
   Simplex s = simplex_of(cell, q);
-  float cosine = cos(angle);
-  float sine = sin(angle);
-  Noise a = noise_corner(s.offset0, turned_direction(s.cell0, seed, cosine, sine));
-  Noise b = noise_corner(s.offset1, turned_direction(s.cell1, seed, cosine, sine));
-  Noise c = noise_corner(s.offset2, turned_direction(s.cell2, seed, cosine, sine));
-  Noise d = noise_corner(s.offset3, turned_direction(s.cell3, seed, cosine, sine));
-  Noise n;
-  n.value = noise_scale * ((a.value + b.value) + (c.value + d.value));
-  n.gradient = noise_scale * ((a.gradient + b.gradient) + (c.gradient + d.gradient));
-  return n;
+  uint key = seed_key(seed);
+  return noise_of_corners(noise_corner(s.offset0, turned_direction(hash_key(s.key0, key), turn)),
+                          noise_corner(s.offset1, turned_direction(hash_key(s.key1, key), turn)),
+                          noise_corner(s.offset2, turned_direction(hash_key(s.key2, key), turn)),
+                          noise_corner(s.offset3, turned_direction(hash_key(s.key3, key), turn)));
+}
+
+// The same from the angle (rad, any; reduce it to one turn on the host). Period 2 pi in angle.
+Noise flow_noise(ivec3 cell, vec3 q, float angle, uint seed) {
+  return turned_noise(cell, q, vec2(cos(angle), sin(angle)), seed);
 }
 
 // Where layer i of a stack begins, in cells: layers that share an origin would all be zero there. Multiples of 1/1024,

@@ -4,11 +4,11 @@
 
 void add_ripples(inout Ripples r, int layer, vec3 up, float footprint) {
   float frequency = water_ripple_frequency * (layer == 0 ? 1.0 : 2.3);
-  float turn = ripple.x * (layer == 0 ? 1.0 : 2.0);
+  vec2 turn = layer == 0 ? ripple_turns.xy : ripple_turns.zw;
   uint seed = uint(planet_seed) + 71u;
   float shown = layer_weight(frequency, footprint);
-  Noise n = flow_noise(ivec3(0), up * frequency + layer_offset(layer, seed), turn, layer_seed(layer, seed));
-  r.gradient += shown * ripple_strength(layer) * ripple.y * n.gradient;
+  Noise n = turned_noise(ivec3(0), up * frequency + layer_offset(layer, seed), turn, layer_seed(layer, seed));
+  r.gradient += shown * ripple_strength(layer) * ripple.x * n.gradient;
   r.wash += shown * n.value * 0.5;
   r.rough += unseen_roughness(layer, shown);
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -109,16 +109,15 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
   const int octaves = frame.needs.cloud_octaves;
   bake_program_.use();
   bake_program_.set("octaves", octaves);
-  std::array<float, 12> angles{};
+  std::array<glm::vec2, 12> turns{};
   for (int i = 0; i < octaves; ++i) {
-    // Layer i turns 2^i times as fast (18); reduced to one turn before it is rounded.
+    // Layer i turns 2^i times as fast (18).
     const double angle = std::ldexp(frame.scene.clouds.speed * seconds, i);
-    angles.at(static_cast<std::size_t>(i)) = static_cast<float>(std::remainder(angle, 2.0 * std::numbers::pi));
+    turns.at(static_cast<std::size_t>(i)) = glm::vec2(std::cos(angle), std::sin(angle));
   }
-  for (int i = 0; i < 3; ++i) {
-    const float* a = angles.data() + 4 * i;
-    const char* names[] = {"angles[0]", "angles[1]", "angles[2]"};
-    bake_program_.set(names[i], a[0], a[1], a[2], a[3]);
+  for (std::size_t i = 0; i < turns.size(); i += 2) {
+    const std::string name = "turns[" + std::to_string(i / 2) + "]";
+    bake_program_.set(name.c_str(), turns[i].x, turns[i].y, turns[i + 1].x, turns[i + 1].y);
   }
   noise_evaluations_ += bake.advance(bake_program_, map, rows) * octaves;
 }

@@ -70,8 +70,10 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   // Waves feel the ground where the water is a few of their heights deep.
   const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
   block.sea = glm::vec4(1.0 + level, sea.highest, static_cast<double>(sea.waves.size()), shoal);
-  block.ripple = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripples ? scene.water.ripples : 0.0,
-                           needs.air == Air::none ? 0.0 : 1.0, icosphere_edge(needs.water_level));
+  block.ripple = glm::vec4(needs.ripples ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
+                           needs.air == Air::none ? 0.0 : 1.0, 0.0);
+  const double turn = turned(scene.water.ripple_speed, view.seconds);
+  block.ripple_turns = glm::vec4(std::cos(turn), std::sin(turn), std::cos(2.0 * turn), std::sin(2.0 * turn));
   const Color tint = scene.water.tint;
   const glm::dvec3 tint_light(linear_light(tint.r), linear_light(tint.g), linear_light(tint.b));
   block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
