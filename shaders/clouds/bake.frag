@@ -25,5 +25,5 @@ void main() {
     amplitude *= clouds_persistence;
   }
   // Every channel: the caller masks the one that is meant.
-  fragment = vec4(total > 0.0 ? sum / total : 0.0);
+  fragment = vec4(noise_to_map(total > 0.0 ? sum / total : 0.0));
 }

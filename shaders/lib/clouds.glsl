@@ -11,6 +11,15 @@ float flow_layer(vec3 direction, float frequency, float amplitude, float strengt
   return amplitude * n.value;
 }
 
+// The noise as a map without signs holds it, 0..1, and back. Noise passes its ends by a hundredth.
+float noise_to_map(float noise) {
+  return 0.5 + noise * (0.5 / 1.02);
+}
+
+float noise_from_map(float held) {
+  return (held - 0.5) * (1.02 / 0.5);
+}
+
 // Thickness of the cloud, 0..1, from the noise at a place (its sum divided by the sum of amplitudes, -1..1). coverage:
 // part of the sky that is covered, 0..1; softness 0..1.
 float cloud_thickness(float noise, float coverage, float softness) {

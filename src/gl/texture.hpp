@@ -7,7 +7,7 @@
 namespace terrella::gl {
 
 // What a texel holds.
-enum class Format { rgba8, rgba16f, rgba32f };
+enum class Format { rgba8, rgb10a2, rgba16f, rgba32f };
 
 int bytes_of(Format format);
 

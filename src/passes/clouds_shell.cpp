@@ -33,8 +33,8 @@ void CloudsShell::update(const Frame& frame) {
     steps_.fill(std::nullopt);
     job_step_.reset();
     if (!fine_ || fine_->side() != key.texels) {
-      fine_ = std::make_unique<gl::CubeMap>(key.texels, gl::Format::rgba16f);
-      gl::fill(*fine_, {0.0F, 0.0F, 0.0F, 0.0F});  // a channel of weight 0 must still hold a number
+      fine_ = std::make_unique<gl::CubeMap>(key.texels, gl::Format::rgb10a2);
+      gl::fill(*fine_, {0.0F, 0.0F, 0.0F, 0.0F});
     }
   }
 
@@ -100,7 +100,7 @@ bool CloudsShell::advance(const Frame& frame, std::int64_t step, int steps, int 
 }
 
 void CloudsShell::make_coarse(const Frame& frame) {
-  if (!coarse_) coarse_ = std::make_unique<gl::CubeMap>(coarse_cloud_texels, gl::Format::rgba16f);
+  if (!coarse_) coarse_ = std::make_unique<gl::CubeMap>(coarse_cloud_texels, gl::Format::rgb10a2);
   coarse_bake_.restart();
   bake(frame, coarse_bake_, *coarse_, frame.view.seconds, CubeBake::rows(*coarse_));
 }

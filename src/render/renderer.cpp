@@ -57,9 +57,9 @@ void draw_flat() {
 
 }  // namespace
 
-Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::Format::rgba16f) {
+Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::Format::rgb10a2) {
   gl::fill(no_ground_, {0.0F, 0.0F, 0.0F, far_down});
-  gl::fill(no_clouds_, {-1.0F, 0.0F, 0.0F, 0.0F});
+  gl::fill(no_clouds_, {0.0F, 0.0F, 0.0F, 0.0F});
 }
 
 double Renderer::prepare(const Scene& scene, const View& view) {
