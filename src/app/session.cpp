@@ -272,7 +272,6 @@ void Session::obey(const PanelWishes& wishes) {
   if (wishes.open_json && host_.open_json) host_.open_json();
   if (wishes.save_picture && host_.save_picture) host_.save_picture();
   if (wishes.dismiss_notices) notices_.clear();
-  if (wishes.hide) show_panel(false);
 }
 
 PanelFacts Session::facts() const {

@@ -77,8 +77,9 @@ void head_section(Sheet& sheet) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Terrella");
   continue_at_right(points(70.0F));
-  if (ImGui::Button("Hide (H)", {points(70.0F), 0.0F})) sheet.wishes.hide = true;
-  sheet.place("hide");
+  if (ImGui::Button("Fold", {points(70.0F), 0.0F})) sheet.memory.folded = true;
+  sheet.place("fold");
+  tooltip("Folds the panel to a button in this corner. The key H hides it, and brings it back.");
   preset_list(sheet);
 
   ButtonGrid grid(sheet);
@@ -92,6 +93,11 @@ void head_section(Sheet& sheet) {
   ImGui::BeginDisabled(same);
   if (grid.button("reset_all", "Reset all", "Every value as it is in the preset.")) sheet.start_from(*sheet.preset);
   ImGui::EndDisabled();
+}
+
+void folded_section(Sheet& sheet) {
+  if (ImGui::Button("Panel")) sheet.memory.folded = false;
+  sheet.place("unfold");
 }
 
 void notices_section(Sheet& sheet) {

@@ -17,6 +17,7 @@ struct Typing {
 };
 
 struct PanelMemory {
+  bool folded = false;  // to a button in its corner
   Typing typing;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };

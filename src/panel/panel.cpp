@@ -18,12 +18,12 @@ namespace {
 constexpr float panel_width = 340.0F, panel_margin = 8.0F;  // points
 constexpr float widest_share = 0.9F;                        // of the window
 
-bool begin_window() {
+bool begin_window(bool folded) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float margin = points(panel_margin);
-  const float width = std::min(points(panel_width), widest_share * display.x);
+  const float width = folded ? 0.0F : std::min(points(panel_width), widest_share * display.x);
   ImGui::SetNextWindowPos({margin, margin});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(margin, display.y - 2.0F * margin)});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {folded ? display.x : width, std::max(margin, display.y - 2.0F * margin)});
   return ImGui::Begin("panel", nullptr,
                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
@@ -62,7 +62,10 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   const Preset* preset = find_preset(document.preset);
   CHECK(preset != nullptr, "a document of the preset ", document.preset);
   Sheet sheet{document, preset, facts, memory_, places};
-  if (begin_window()) {
+  const bool folded = memory_.folded;
+  const bool visible = begin_window(folded);
+  if (visible && folded) folded_section(sheet);
+  if (visible && !folded) {
     head_section(sheet);
     notices_section(sheet);
     clock_section(sheet);

@@ -36,7 +36,6 @@ struct PanelWishes {
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false, save_picture = false;
   bool dismiss_notices = false;
-  bool hide = false;
 
   bool operator==(const PanelWishes&) const = default;
 };

@@ -74,17 +74,17 @@ std::vector<bool> needed_middles(const Hierarchy& tree, std::span<const glm::vec
     const glm::vec3 off = positions[middle] - 0.5F * (positions[from] + positions[to]);
     return glm::dot(off, off) > tolerance2;
   };
+  const auto need = [&](const Hierarchy::Triangle& m) { needed[m.a] = needed[m.b] = needed[m.c] = true; };
   for (int level = tree.finest() - 1; level >= group_level; --level) {
-    for (std::size_t i = 0; i < std::size_t{20} << (2 * level); ++i) {
+    const std::size_t count = std::size_t{20} << (2 * level);
+    for (std::size_t i = 0; i < count; ++i) {
       const auto t = tree.corners(level, i), m = tree.middles(level, i);
-      if (far_from_edge(m.a, t.a, t.b)) needed[m.a] = true;
-      if (far_from_edge(m.b, t.b, t.c)) needed[m.b] = true;
-      if (far_from_edge(m.c, t.c, t.a)) needed[m.c] = true;
-      // A triangle that is split belongs to a parent that is split whole.
-      if (level > group_level && (needed[m.a] || needed[m.b] || needed[m.c])) {
-        const auto parent = tree.middles(level - 1, i / 4);
-        needed[parent.a] = needed[parent.b] = needed[parent.c] = true;
-      }
+      if (far_from_edge(m.a, t.a, t.b) || far_from_edge(m.b, t.b, t.c) || far_from_edge(m.c, t.c, t.a)) need(m);
+    }
+    // A triangle that is split belongs to a parent that is split whole.
+    for (std::size_t i = 0; i < count && level > group_level; ++i) {
+      const auto m = tree.middles(level, i);
+      if (needed[m.a] || needed[m.b] || needed[m.c]) need(tree.middles(level - 1, i / 4));
     }
   }
   return needed;

@@ -24,10 +24,11 @@ struct GroupedTriangles {
 // All triangles of an icosphere of a level, group_level or finer.
 GroupedTriangles all_triangles(const Icosphere& sphere);
 
-// Fewer triangles between the same vertices, without cracks: an edge of a coarser level is split only where its middle
-// lies further than tolerance from the straight edge, or where a finer split nearby asks for it ("red-green" refinement,
-// Bank, Sherman & Weiser 1983). sphere: of group_level or finer; positions: of its vertices, planet radii; tolerance:
-// planet radii, 0 for all triangles.
+// Fewer triangles between the same vertices, without cracks: a triangle of a coarser level is split in four where the
+// middle of one of its edges lies further than tolerance from the straight edge, and in two or three where only a
+// neighbour is ("red-green" refinement, Bank, Sherman & Weiser 1983). So no vertex that is left out lies further than 2.5
+// tolerances from the triangles there, over two levels. sphere: of group_level or finer; positions: of its vertices,
+// planet radii; tolerance: planet radii, 0 for all triangles.
 GroupedTriangles simplified(const Icosphere& sphere, std::span<const glm::vec3> positions, double tolerance);
 
 // Between which radii a surface lies, planet radii.

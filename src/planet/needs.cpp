@@ -63,7 +63,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
              "the coarsest mesh within quality.pixel_error, and no finer than level 6 unless that is below 0.2 px");
   // In steps, so that the triangles do not change with every move of the camera.
   const double allowed = scene.quality.pixel_error * pose.pixel_angle * pose.clearance;
-  needs.ground_tolerance = std::exp2(std::floor(std::log2(allowed)));
+  needs.ground_tolerance = std::exp2(0.25 * std::floor(4.0 * std::log2(allowed)));
   decide.add("ground.tolerance", needs.ground_tolerance * scene.planet.radius,
              "m by which triangles may miss finer ones: quality.pixel_error where the ground is nearest");
   needs.ground_texels = scene.quality.ground_texels;

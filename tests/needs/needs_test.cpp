@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "planet/icosphere_groups.hpp"
 #include "scene/presets.hpp"
 #include "scene/choices.hpp"
 
@@ -93,7 +94,9 @@ const Case cases[] = {
      },
      [](const Needs& n) { return !n.moving; }},
     {"a far planet needs a coarse mesh", [](Scene& s) { s.camera.altitude = 300.0; },
-     [](const Needs& n) { return n.ground_level == 3; }},
+     [](const Needs& n) { return n.ground_level == group_level && n.water_level == group_level; }},
+    {"near the ground its triangles are fine", [](Scene& s) { s.camera.altitude = 0.0; },
+     [](const Needs& n) { return n.ground_tolerance < 1e-6; }},
     {"a smaller error needs a finer mesh", [](Scene& s) { s.quality.pixel_error = 0.1; },
      [](const Needs& n) { return n.ground_level == 7; }},
     {"a coarser error allows a coarser mesh", [](Scene& s) { s.quality.pixel_error = 16.0; },
@@ -127,7 +130,7 @@ TEST(Needs, DefaultViewKeepsItsBudgetOfTriangles) {
   const Scene scene;
   const Needs n = needs_of(scene, view, pose_of(scene, view));
   const auto triangles = [](int level) { return 20 << (2 * level); };
-  EXPECT_LE(triangles(n.ground_level) + triangles(n.water_level) + triangles(5), 150'000);
+  EXPECT_LE(triangles(n.ground_level) + triangles(n.water_level) + triangles(n.cloud_level), 150'000);
 }
 
 }  // namespace

@@ -182,8 +182,18 @@ TEST_F(PanelTest, ButtonsWishWhatTheySay) {
   EXPECT_TRUE(click("save").save_json);
   EXPECT_TRUE(click("open").open_json);
   EXPECT_TRUE(click("save_picture").save_picture);
-  EXPECT_TRUE(click("hide").hide);
   EXPECT_EQ(document, SceneDocument{});
+}
+
+TEST_F(PanelTest, FoldsToAButtonAndBack) {
+  click("fold");
+  frame();
+  EXPECT_EQ(count_of("terrain"), 0);
+  EXPECT_EQ(count_of("unfold"), 1);
+  click("unfold");
+  frame();
+  EXPECT_EQ(count_of("terrain"), 1);
+  EXPECT_EQ(count_of("unfold"), 0);
 }
 
 TEST_F(PanelTest, TheClockStopsGoesOnAndIsMoved) {
