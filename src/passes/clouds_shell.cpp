@@ -52,7 +52,8 @@ void CloudsShell::update(const Frame& frame) {
   }
   coarse_in_use_ = !holds(step) || !holds(step + pair - 1);
   if (coarse_in_use_) {
-    if (frame.effort == Effort::live) advance(frame, step, pair, hasty_rows(frame, interval));
+    // Not in the first frame, which has enough to do.
+    if (frame.effort == Effort::live && coarse_) advance(frame, step, pair, hasty_rows(frame, interval));
     make_coarse(frame);
     moments_ = {1.0, 0.0, 0.0};
     return;

@@ -25,7 +25,7 @@ double turned(double speed, double seconds) {
 // By how much the water's mesh is raised, radii: so that no flat triangle of it dips below one of the ground where both
 // should meet. Then it is the map that draws the shore. Never more than may be seen.
 double water_lift(const Frame& frame) {
-  const double seen = frame.scene.quality.pixel_error * frame.pose.pixel_angle * frame.pose.clearance;
+  const double seen = frame.scene.quality.pixel_error * pixel_of_height(frame.pose);
   return std::min(icosphere_sag(frame.needs.water_level) + frame.needs.ground_tolerance, seen);
 }
 

@@ -1,6 +1,7 @@
 #include "passes/stars_noise.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -35,6 +36,8 @@ void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Key key = {frame.scene.stars.density, frame.scene.stars.seed};
   if (key_ == key) return;
+  // The search takes as long as a frame: the very first picture comes without stars.
+  if (frame.effort != Effort::complete && !key_ && !std::exchange(awaited_, true)) return;
   key_ = key;
   StarSky sky = find_stars(frame.scene);
   noise_evaluations_ = sky.noise_evaluations;

@@ -16,6 +16,7 @@ class StarsNoise {
   bool ready() { return program_.ready(); }
   void update(const Frame& frame);
   void draw(const Frame& frame);
+  [[nodiscard]] bool settled() const { return key_.has_value(); }
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
@@ -29,6 +30,7 @@ class StarsNoise {
 
   gl::Program program_{"stars/noise"};
   std::optional<Key> key_;
+  bool awaited_ = false;  // a frame has gone by without them
   std::vector<Star> stars_;
   std::vector<std::size_t> shown_;  // places in stars_
   gl::Squares squares_{2};

@@ -32,7 +32,10 @@ constexpr std::array<std::array<std::uint32_t, 3>, 20> icosahedron_faces = {
 // Makes the vertex in the middle of an edge, once for the two triangles that share it.
 class Midpoints {
  public:
-  explicit Midpoints(std::vector<glm::dvec3>& directions) : directions_(directions) {}
+  Midpoints(std::vector<glm::dvec3>& directions, std::size_t edges) : directions_(directions) {
+    directions_.reserve(directions_.size() + edges);
+    made_.reserve(edges);
+  }
 
   std::uint32_t between(std::uint32_t a, std::uint32_t b) {
     const std::uint64_t edge = (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
@@ -47,7 +50,7 @@ class Midpoints {
 };
 
 std::vector<std::uint32_t> subdivided(const std::vector<std::uint32_t>& indices, std::vector<glm::dvec3>& directions) {
-  Midpoints midpoints(directions);
+  Midpoints midpoints(directions, indices.size() / 2);
   std::vector<std::uint32_t> finer;
   finer.reserve(indices.size() * 4);
   for (std::size_t i = 0; i < indices.size(); i += 3) {

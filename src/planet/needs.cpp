@@ -62,10 +62,10 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("ground.level", needs.ground_level,
              "the coarsest mesh within quality.pixel_error, and no finer than level 6 unless that is below 0.2 px");
   // In steps, so that the triangles do not change with every move of the camera.
-  const double allowed = scene.quality.pixel_error * pose.pixel_angle * pose.clearance;
+  const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
   needs.ground_tolerance = std::exp2(0.25 * std::floor(4.0 * std::log2(allowed)));
   decide.add("ground.tolerance", needs.ground_tolerance * scene.planet.radius,
-             "m by which triangles may miss finer ones: quality.pixel_error where the ground is nearest");
+             "m by which triangles may miss finer ones: quality.pixel_error where it shows most");
   needs.ground_texels = scene.quality.ground_texels;
   decide.add("ground.texels", needs.ground_texels, "quality.ground_texels");
 
@@ -107,7 +107,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   }
   needs.water_level = needs.water == Water::waves
                           ? 6
-                          : sphere_level(scene.quality.pixel_error * pose.pixel_angle * pose.clearance);
+                          : sphere_level(scene.quality.pixel_error * pixel_of_height(pose));
   decide.add("water.level", needs.water_level,
              needs.water == Water::waves ? "fine enough to carry waves"
                                          : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
@@ -125,7 +125,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
 // gradients that are an angle apart, their mean is shorter by the cosine of half of it; layer i turns by 2^i times as much
 // as the coarsest. The angle is such that all layers together lose a part of their amplitude that nobody sees.
 double blend_turn(double persistence, int octaves) {
-  constexpr double may_be_lost = 0.02;
+  constexpr double may_be_lost = 0.03;
   const auto lost = [&](double turn) {
     double loss = 0.0, total = 0.0, amplitude = 1.0;
     for (int i = 0; i < octaves; ++i, amplitude *= persistence) {
@@ -159,7 +159,7 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
              needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for" : "finer ones are under two texels of their map");
   needs.cloud_interval = clouds.speed > 0.0 ? blend_turn(clouds.persistence, needs.cloud_octaves) / clouds.speed : 0.0;
   decide.add("clouds.interval", needs.cloud_interval,
-             clouds.speed > 0.0 ? "seconds between two pictures of the clouds, so that blending them loses 2 % of the noise"
+             clouds.speed > 0.0 ? "seconds between two pictures of the clouds, so that blending them loses 3 % of the noise"
                                 : "clouds.speed is 0");
 }
 

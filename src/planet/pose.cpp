@@ -112,6 +112,12 @@ double outermost_radius(const Scene& scene) {
   return std::max(top_radius(scene), air);
 }
 
+double pixel_of_height(const Pose& pose) {
+  const double surface = glm::length(pose.eye) - pose.clearance;
+  const double d = 1.0 + pose.clearance / surface;
+  return pose.pixel_angle * surface * (d - 1.0) * (d + 1.0) / d;
+}
+
 glm::mat4 clip_from_eye(const Pose& pose, const View& view) {
   const double fy = 1.0 / pose.tan_half_fov;
   const double fx = fy * view.height / view.width;

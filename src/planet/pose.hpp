@@ -54,6 +54,11 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius);
 // Radius that nothing of a scene but the stars lies beyond.
 double outermost_radius(const Scene& scene);
 
+// How far (planet radii) a surface may be moved towards or away from the planet's centre so that no part of it that is
+// seen is moved by more than a pixel. Seen from d radii from the centre of a sphere, a radial change shows most at an
+// angle whose cosine is 2 d / (1 + d^2), as its length times d / (d^2 - 1).
+double pixel_of_height(const Pose& pose);
+
 // From positions relative to the eye to clip space.
 glm::mat4 clip_from_eye(const Pose& pose, const View& view);
 

@@ -171,7 +171,7 @@ void Renderer::show(const gl::Screen& screen, bool antialias) {
 }
 
 bool Renderer::settled() const {
-  return (!ground_ || ground_->settled()) && (!clouds_ || clouds_->settled());
+  return (!ground_ || ground_->settled()) && (!clouds_ || clouds_->settled()) && (!stars_ || stars_->settled());
 }
 
 RenderStats Renderer::stats() const {

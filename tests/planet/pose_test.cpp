@@ -110,5 +110,23 @@ TEST(SurfaceRadius, ScalesWithThePlanet) {
   }
 }
 
+TEST(PixelOfHeight, IsTheMostThatARadialChangeMayBe) {
+  for (const double altitude : {1e-3, 0.3, 2.25, 40.0}) {
+    Scene scene;
+    scene.terrain.model = scene.water.model = 0;
+    scene.camera.altitude = altitude;
+    const Pose pose = pose_of(scene, {});
+    const double moved = 1e-3 * pixel_of_height(pose);  // small: a thousandth of a pixel
+    const double d = glm::length(pose.eye);
+    double most = 0.0;
+    for (int i = 1; i < 20000; ++i) {
+      const double angle = std::acos(1.0 / d) * i / 20000.0;
+      const auto seen_at = [&](double radius) { return std::atan2(radius * std::sin(angle), d - radius * std::cos(angle)); };
+      most = std::max(most, seen_at(1.0 + moved) - seen_at(1.0));
+    }
+    EXPECT_NEAR(most / (1e-3 * pose.pixel_angle), 1.0, 0.01) << altitude;
+  }
+}
+
 }  // namespace
 }  // namespace terrella

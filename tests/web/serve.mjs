@@ -15,7 +15,8 @@ export async function serve(folder, under = '/some/where/') {
       if (!path.startsWith(under)) throw new Error('elsewhere');
       const body = await readFile(join(folder, normalize(path.slice(under.length) || 'index.html')));
       log.gzipped += gzipSync(body, { level: 9 }).length;
-      response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/html', 'cache-control': 'no-store' });
+      response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/html', 'cache-control': 'no-store',
+        'content-security-policy': "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'" });
       response.end(body);
     } catch {
       log.missing.push(path);

@@ -36,7 +36,8 @@ function turn(now) {
   const result = program._terrella_frame(now / 1000);
   if (result < 1) {
     progress.value = 0.3 + 0.7 * result;
-    return wake();
+    setTimeout(wake, 15);  // not at the next frame: there is nothing to paint, and the driver is busy
+    return;
   }
   if (!started && (result === 2 || result === 4)) {
     started = true;
