@@ -135,7 +135,7 @@ void CloudsShell::draw(const Frame& frame) {
   draw_program_.use();
   glEnable(GL_CULL_FACE);
   glCullFace(above ? GL_BACK : GL_FRONT);
-  spheres_.directions(level).draw(visible_groups(frame.pose.eye, occluder, tops));
+  spheres_.directions(level).draw(visible_groups(sight_of(frame), occluder, tops));
   glCullFace(GL_BACK);
 }
 

@@ -31,6 +31,11 @@ double water_lift(const Frame& frame) {
 
 }  // namespace
 
+Sight sight_of(const Frame& frame) {
+  // A little more than the picture, so that not every move of the camera changes what is drawn.
+  return {frame.pose.eye, frame.pose.forward, picture_half_angle(frame.pose, frame.view) + 0.02};
+}
+
 RadiusRange water_range(const Frame& frame) {
   if (frame.needs.water == Water::none) return {};
   const double level = 1.0 + frame.scene.water.level / frame.scene.planet.radius + water_lift(frame);

@@ -48,6 +48,8 @@ struct Frame {
   Effort effort = Effort::complete;
 };
 
+Sight sight_of(const Frame& frame);
+
 // Between which radii the water is drawn, troughs and the dips of flat triangles included; 0 and 0 where there is none.
 RadiusRange water_range(const Frame& frame);
 

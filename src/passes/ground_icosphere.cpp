@@ -125,7 +125,7 @@ void GroundIcosphere::draw(const Frame& frame) {
   for (const RadiusRange& range : surface.ranges) {
     tops.push_back(above_water && range.highest < water.lowest ? 0.0F : static_cast<float>(range.highest));
   }
-  surface.mesh.draw(visible_groups(frame.pose.eye, std::max(lowest, water.lowest), tops));
+  surface.mesh.draw(visible_groups(sight_of(frame), std::max(lowest, water.lowest), tops));
 }
 
 }  // namespace terrella

@@ -17,9 +17,8 @@ struct Cone {
 
 // Around all that the picture shows.
 Cone cone_of_picture(const Frame& frame) {
-  const double aspect = static_cast<double>(frame.view.width) / frame.view.height;
-  const double corner = frame.pose.tan_half_fov * std::sqrt(1.0 + aspect * aspect);
-  return {glm::vec3(frame.pose.forward), static_cast<float>(std::cos(std::atan(corner) + 0.01))};
+  const double half_angle = picture_half_angle(frame.pose, frame.view) + 0.01;  // stars are not points
+  return {glm::vec3(frame.pose.forward), static_cast<float>(std::cos(half_angle))};
 }
 
 // Within what the planet hides, which nothing dips below by so much.

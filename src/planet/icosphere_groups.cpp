@@ -162,22 +162,31 @@ std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, std::span<const 
   return ranges;
 }
 
-std::vector<std::uint32_t> visible_groups(const glm::dvec3& eye, double occluder, std::span<const float> tops) {
+std::vector<std::uint32_t> visible_groups(const Sight& sight, double occluder, std::span<const float> tops) {
   CHECK(tops.size() == group_count, tops.size());
   static const std::vector<Cone> cones = make_cones();
-  const double distance = glm::length(eye);
-  const bool outside = distance > occluder;
-  const double horizon = outside ? arc_cosine(occluder / distance) : 0.0;
+  const double distance = glm::length(sight.eye);
   std::vector<std::uint32_t> groups;
+  if (distance <= occluder) {
+    for (std::uint32_t g = 0; g < group_count; ++g) {
+      if (tops[g] > 0.0F) groups.push_back(g);
+    }
+    return groups;
+  }
+  const double horizon = arc_cosine(occluder / distance);
   for (std::uint32_t g = 0; g < group_count; ++g) {
     const auto top = static_cast<double>(tops[g]);
     if (top <= 0.0) continue;
-    if (outside) {
-      // Beyond the horizon, by more than what rises there still shows over it.
-      const double away = arc_cosine(glm::dot(cones[g].axis, eye) / distance) - cones[g].half_angle;
-      if (away > horizon && away > horizon + arc_cosine(occluder / top)) continue;
-    }
-    groups.push_back(g);
+    const auto& [axis, half_angle] = cones[g];
+    // Beyond the horizon, by more than what rises there still shows over it.
+    const double away = arc_cosine(glm::dot(axis, sight.eye) / distance) - half_angle;
+    if (away > horizon && away > horizon + arc_cosine(occluder / top)) continue;
+    // Beside the picture: a ball around all between occluder and top, from its middle.
+    const glm::dvec3 to_middle = 0.5 * (occluder + top) * axis - sight.eye;
+    const double ball = 0.5 * std::abs(top - occluder) + std::max(top, occluder) * half_angle;
+    const double far = glm::length(to_middle);
+    const double beside = far > ball ? arc_cosine(glm::dot(to_middle, sight.forward) / far) - std::asin(ball / far) : 0.0;
+    if (beside <= sight.half_angle) groups.push_back(g);
   }
   return groups;
 }

@@ -42,9 +42,16 @@ double icosphere_sag(int level);
 // The range of the surface over each group, whichever of its triangles are drawn. sphere, positions: as above.
 std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, std::span<const glm::vec3> positions);
 
-// The groups that may be seen from an eye, in order. eye: planet radii from the centre; occluder: radius of a sphere that
-// lies within the surface; tops: how high the surface rises over each of the groups, planet radii, 0 where there is
-// nothing to draw. From within the occluder all that is there may be seen.
-std::vector<std::uint32_t> visible_groups(const glm::dvec3& eye, double occluder, std::span<const float> tops);
+// What an eye can see: a cone around a direction.
+struct Sight {
+  glm::dvec3 eye;                      // planet radii from the centre
+  glm::dvec3 forward{1.0, 0.0, 0.0};   // unit
+  double half_angle = 4.0;             // rad; pi or more: all around
+};
+
+// The groups that may be seen, in order. occluder: radius of a sphere that lies within the surface; tops: how high the
+// surface rises over each of the groups, planet radii, 0 where there is nothing to draw. From within the occluder all
+// that is there may be seen.
+std::vector<std::uint32_t> visible_groups(const Sight& sight, double occluder, std::span<const float> tops);
 
 }  // namespace terrella

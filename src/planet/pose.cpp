@@ -98,6 +98,10 @@ glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pix
   return glm::normalize(pose.forward + pose.tan_half_fov * (x * pose.right + y * pose.up));
 }
 
+double picture_half_angle(const Pose& pose, const View& view) {
+  return std::atan(pose.tan_half_fov * std::hypot(1.0, static_cast<double>(view.width) / view.height));
+}
+
 PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
   const double ahead = -glm::dot(pose.eye, pose.forward);
   const auto [left, right] = extent(-glm::dot(pose.eye, pose.right), ahead, radius);

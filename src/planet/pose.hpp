@@ -48,6 +48,9 @@ struct PictureBox {
   double left = 0.0, bottom = 0.0, right = 1.0, top = 1.0;
 };
 
+// Half the angle of the cone around pose.forward that holds the whole picture, rad.
+double picture_half_angle(const Pose& pose, const View& view);
+
 // What a sphere around the planet's centre can cover. radius: planet radii; around the eye, all of the picture.
 PictureBox box_of_sphere(const Pose& pose, const View& view, double radius);
 

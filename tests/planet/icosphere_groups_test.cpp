@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -30,7 +32,7 @@ TEST(VisibleGroups, LeaveOutNoneThatFacesTheEye) {
     const double distance = i % 3 == 0 ? 1.0005 : i % 3 == 1 ? 1.3 : 40.0;
     const glm::dvec3 eye = distance * places.on_sphere();
     std::vector<bool> drawn(group_count);
-    for (const std::uint32_t g : visible_groups(eye, 1.0, tops)) drawn.at(g) = true;
+    for (const std::uint32_t g : visible_groups({eye}, 1.0, tops)) drawn.at(g) = true;
     for (std::size_t g = 0; g < group_count; ++g) {
       for (std::size_t k = 0; k < 3; ++k) {
         // A mountain top is seen unless the unit sphere stands before it.
@@ -50,12 +52,35 @@ TEST(VisibleGroups, LeaveOutNoneThatFacesTheEye) {
   }
 }
 
+TEST(VisibleGroups, LeaveOutWhatLiesBesideThePictureAndNothingInIt) {
+  test::Places places(5U);
+  const Icosphere sphere = make_icosphere(group_level);
+  const std::vector<float> tops(group_count, 1.1F);
+  for (int i = 0; i < 60; ++i) {
+    const Sight sight = {(i % 2 == 0 ? 1.2 : 3.0) * places.on_sphere(), places.on_sphere(), 0.4};
+    const std::vector<std::uint32_t> all = visible_groups({sight.eye}, 1.0, tops), seen = visible_groups(sight, 1.0, tops);
+    EXPECT_LT(seen.size(), all.size());
+    for (const std::uint32_t g : all) {
+      bool inside = false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (const double radius : {1.0, 1.05, 1.1}) {
+          const glm::dvec3 place = radius * sphere.directions[sphere.indices[3 * std::size_t{g} + k]];
+          inside = inside || glm::dot(glm::normalize(place - sight.eye), sight.forward) > std::cos(sight.half_angle);
+        }
+      }
+      if (inside) {
+        ASSERT_TRUE(std::binary_search(seen.begin(), seen.end(), g));
+      }
+    }
+  }
+}
+
 TEST(VisibleGroups, LeaveOutWhatIsNotThere) {
   std::vector<float> tops(group_count, 0.0F);
-  EXPECT_TRUE(visible_groups({3.0, 0.0, 0.0}, 1.0, tops).empty());
+  EXPECT_TRUE(visible_groups({{3.0, 0.0, 0.0}}, 1.0, tops).empty());
   tops[7] = 1.0F;
   const std::vector<std::uint32_t> only = {7};
-  EXPECT_EQ(visible_groups({0.0, 0.0, 0.5}, 1.0, tops), only);  // from within
+  EXPECT_EQ(visible_groups({{0.0, 0.0, 0.5}}, 1.0, tops), only);  // from within
 }
 
 TEST(RadiusRanges, HoldTheSurface) {
