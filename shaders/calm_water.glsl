@@ -22,12 +22,12 @@ float unseen_roughness(int layer, float shown) {
   return 3.0 * (1.0 - shown * shown) * strength * strength;
 }
 
-void emit_calm_water(Ripples r, vec3 up, vec4 map) {
+void emit_calm_water(Ripples r, vec3 up) {
   float own = water_roughness * water_roughness;
   float line = water_clarity * 0.30;
   Water w;
   w.normal = surface_normal(up, 1.0, r.gradient);
-  w.depth = -map.w;
+  w.depth = -textureLod(ground_map, up, levels.z).w;
   w.roughness = clamp(sqrt(sqrt(own * own + r.rough)), 0.02, 1.0);
   w.foam = water_foam * (1.0 - smoothstep(0.2, 1.0, w.depth / max(line, 1.0e-9) + 0.5 * r.wash));
   LightAt at = light_at(up, 0.0);

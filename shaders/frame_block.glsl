@@ -19,6 +19,13 @@ layout(std140) uniform FrameBlock {
   ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
 };
 
+// Angle (rad, seen from the planet's centre) that a pixel covers on a surface. up: unit; offset: from the eye; the cosine
+// between both is held above least_cosine.
+float pixel_footprint(vec3 up, vec3 offset, float least_cosine) {
+  float away = length(offset);
+  return away * ray_forward.w / max(-dot(up, offset) / away, least_cosine);
+}
+
 // The eye in single precision: for what is not near it.
 vec3 eye_position() { return eye_high.xyz; }
 

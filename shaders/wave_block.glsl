@@ -1,4 +1,5 @@
 // The waves of the sea, longest first.
+#include "lib/tangent.glsl"
 #include "lib/waves.glsl"
 
 layout(std140) uniform WaveBlock {
@@ -7,11 +8,8 @@ layout(std140) uniform WaveBlock {
 };
 
 Frame frame_at(vec3 v) {
-  // Any tangents do; these (Duff et al. 2017) have no pole.
-  float side = v.z >= 0.0 ? 1.0 : -1.0;
-  float a = -1.0 / (side + v.z);
   Frame f;
-  f.east = vec3(1.0 + side * v.x * v.x * a, side * v.x * v.y * a, -side * v.x);
+  f.east = perpendicular(v);  // any tangent does; this one has no pole
   f.north = cross(v, f.east);
   return f;
 }

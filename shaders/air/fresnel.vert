@@ -1,6 +1,6 @@
 // The part of the sky that has air before it: a ring around the planet seen from outside, the whole picture from within.
 #include "frame_block.glsl"
-#include "lib/noise.glsl"
+#include "lib/tangent.glsl"
 
 uniform vec4 ring;  // x, y: tangents of the angles at which it begins and ends; z: number of its corners, 0: the whole picture
 

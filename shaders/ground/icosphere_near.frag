@@ -46,9 +46,8 @@ vec3 shaped(vec3 gradient, float height) {
 }
 
 void main() {
-  float away = length(surface_from_eye);
   vec3 up = normalize(surface_position());
   vec4 map = textureLod(ground_map, up, levels.z);
-  float footprint = away * ray_forward.w / max(-dot(up, surface_from_eye) / away, 0.12);
+  float footprint = pixel_footprint(up, surface_from_eye, 0.12);
   emit_ground(map, map.xyz + shaped(fine_gradient(surface_from_eye, footprint), map.w + sea.x - 1.0));
 }

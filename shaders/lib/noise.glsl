@@ -4,6 +4,7 @@
 // A place is given as a cell of the skewed lattice (integers) and a position q relative to that cell's corner, in cells.
 // noise(cell, q) is the same field whichever cell it is told from, so a caller far from the origin chooses a cell close
 // by and keeps its precision. The lattice repeats only where 32-bit integers do.
+#include "lib/tangent.glsl"
 
 struct Noise {
   float value;    // about -1 to 1; |value| can pass 1 by a hundredth
@@ -46,13 +47,6 @@ vec3 hash_direction(uint h) {
   x += x >= 0.0 ? -fold : fold;
   y += y >= 0.0 ? -fold : fold;
   return normalize(vec3(x, y, z));
-}
-
-// A unit vector at right angles to n (Duff et al. 2017, "Building an orthonormal basis, revisited").
-vec3 perpendicular(vec3 n) {
-  float side = n.z >= 0.0 ? 1.0 : -1.0;
-  float a = -1.0 / (side + n.z);
-  return vec3(1.0 + side * n.x * n.x * a, side * n.x * n.y * a, -side * n.x);
 }
 
 // What one corner of a simplex adds: offset runs from the corner to the place, direction is the corner's gradient.

@@ -21,7 +21,7 @@ float wrap_diffuse(float cosine, float wrap) {
 
 // Part of the light that is left after a path through an absorber. path >= 0 in the unit of 1/extinction.
 vec3 transmitted(vec3 extinction, float path) {
-  return exp(-min(extinction * max(path, 0.0), vec3(60.0)));
+  return exp(-extinction * max(path, 0.0));
 }
 
 // The extinction for which white light takes the colour tint after one unit of length. tint: linear, held above 1e-4.

@@ -7,5 +7,5 @@ void main() {
   r.gradient = vec3(0.0);
   r.rough = unseen_roughness(0, 0.0) + unseen_roughness(1, 0.0);
   r.wash = 0.0;
-  emit_calm_water(r, up, textureLod(ground_map, up, levels.z));
+  emit_calm_water(r, up);
 }

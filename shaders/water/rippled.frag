@@ -15,13 +15,12 @@ void add_ripples(inout Ripples r, int layer, vec3 up, float footprint) {
 
 void main() {
   vec3 up = water_direction();
-  float away = length(surface_from_eye);
-  float footprint = away * ray_forward.w / max(-dot(up, surface_from_eye) / away, 0.12);
+  float footprint = pixel_footprint(up, surface_from_eye, 0.12);
   Ripples r;
   r.gradient = vec3(0.0);
   r.rough = 0.0;
   r.wash = 0.0;
   add_ripples(r, 0, up, footprint);
   add_ripples(r, 1, up, footprint);
-  emit_calm_water(r, up, textureLod(ground_map, up, levels.z));
+  emit_calm_water(r, up);
 }

@@ -8,10 +8,8 @@ in vec3 surface_from_eye;
 void main() {
   vec3 up = normalize(still_direction);
   vec4 map = textureLod(ground_map, up, levels.z);
-  float away = length(surface_from_eye);
-  vec3 ray = surface_from_eye / away;
   Frame frame = frame_at(up);
-  float footprint = away * ray_forward.w / max(-dot(up, ray), 0.2);
+  float footprint = pixel_footprint(up, surface_from_eye, 0.2);
   WaveSum sum = held_by_ground(waves_at(up, frame, footprint), map, frame);
   vec3 n = wave_normal(sum);
   float crest = 1.0 - smoothstep(0.25, 0.75, n.z);
@@ -25,6 +23,6 @@ void main() {
   float shore = 1.0 - smoothstep(0.05, 0.35, w.depth / sea.w - 0.05 * rise);
   w.foam = water_foam * clamp(crest * smoothstep(0.2, 1.6, rise) + 0.8 * shore, 0.0, 1.0);
   LightAt at = light_at(up, 0.0);
-  vec3 light = water_light(w, at, ray, cloud_shade(up * sea.x));
+  vec3 light = water_light(w, at, normalize(surface_from_eye), cloud_shade(up * sea.x));
   emit_surface(through_air(light, at, surface_from_eye), surface_from_eye, w.normal, sea.x - 1.0 + sum.height);
 }

@@ -72,7 +72,7 @@ void Program::use() {
 void Program::finish() {
   GLint linked = GL_FALSE;
   glGetProgramiv(id(), GL_LINK_STATUS, &linked);
-  CHECK(linked == GL_TRUE, this->name(), shader_logs(id()));
+  CHECK(linked == GL_TRUE, name(), shader_logs(id()));
   bind_block(id(), "SceneBlock", block_scene);
   bind_block(id(), "FrameBlock", block_frame);
   bind_block(id(), "WaveBlock", block_waves);

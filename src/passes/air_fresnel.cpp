@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "planet/spheres.hpp"
+
 namespace terrella {
 namespace {
 
@@ -19,15 +21,12 @@ double limb_tangent(double radius, double distance) {
 
 void AirFresnel::draw(const Frame& frame) {
   const double distance = glm::length(frame.pose.eye);
-  const double top = 1.0 + frame.scene.air.height / frame.scene.planet.radius;
-  // Nothing dips below the unit sphere by more than the flat triangles of its mesh do.
-  const bool hollow = frame.needs.ground == Ground::none && frame.needs.water == Water::none;
-  const double solid = hollow ? 0.0 : 1.0 - icosphere_sag(group_level);
+  const double top = air_radius(frame.scene);
   program_.use();
   // From close to the air's edge on the ring would fill the picture.
   if (distance > 1.05 * top) {
     const double widened = 1.0 / std::cos(std::numbers::pi / corners);  // its straight edges touch the circle
-    program_.set("ring", static_cast<float>(limb_tangent(solid, distance)),
+    program_.set("ring", static_cast<float>(limb_tangent(solid_radius(frame.needs), distance)),
                  static_cast<float>(limb_tangent(top, distance) * widened), static_cast<float>(corners), 0.0F);
     strip_.draw(2 * (corners + 1));
   } else {

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "planet/spheres.hpp"
+
 namespace terrella {
 namespace {
 
@@ -126,7 +128,7 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
 void CloudsShell::bind_map(double level) { (coarse_in_use_ ? coarse_ : fine_)->bind(gl::unit_clouds, level); }
 
 void CloudsShell::draw(const Frame& frame) {
-  const double shell = 1.0 + frame.scene.clouds.height / frame.scene.planet.radius;
+  const double shell = cloud_radius(frame.scene);
   const bool above = glm::dot(frame.pose.eye, frame.pose.eye) > shell * shell;
   // From above, the near side of the shell is seen; from below, all of it that the ground does not hide.
   const int level = frame.needs.cloud_level;

@@ -19,8 +19,8 @@ class CubeBake {
   [[nodiscard]] static int rows(const gl::CubeMap& map) { return 6 * map.side(); }
   [[nodiscard]] int rows_done() const { return next_row_; }
 
-  // Draws up to count further rows with the current program, whose uniforms are set but for "face"; makes the mipmaps
-  // after the last. Returns the texels drawn.
+  // Draws up to count further rows with the current program, whose uniforms are set but for "face".
+  // Returns the texels drawn.
   std::int64_t advance(gl::Program& program, gl::CubeMap& map, int count);
 
  private:

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "planet/icosphere.hpp"
+#include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "scene/color.hpp"
 
@@ -22,13 +22,6 @@ double turned(double speed, double seconds) {
   return std::remainder(speed * seconds, 2.0 * std::numbers::pi);
 }
 
-// By how much the water's mesh is raised, radii: so that no flat triangle of it dips below one of the ground where both
-// should meet. Then it is the map that draws the shore. Never more than may be seen.
-double water_lift(const Frame& frame) {
-  const double seen = frame.scene.quality.pixel_error * pixel_of_height(frame.pose);
-  return std::min(icosphere_sag(frame.needs.water_level) + frame.needs.ground_tolerance, seen);
-}
-
 }  // namespace
 
 Sight sight_of(const Frame& frame) {
@@ -36,9 +29,14 @@ Sight sight_of(const Frame& frame) {
   return {frame.pose.eye, frame.pose.forward, picture_half_angle(frame.pose, frame.view) + 0.02};
 }
 
+double solid_radius(const Needs& needs) {
+  const bool solid = needs.ground != Ground::none || needs.water != Water::none;
+  return solid ? 1.0 - icosphere_sag(group_level) : 0.0;
+}
+
 RadiusRange water_range(const Frame& frame) {
   if (frame.needs.water == Water::none) return {};
-  const double level = 1.0 + frame.scene.water.level / frame.scene.planet.radius + water_lift(frame);
+  const double level = water_radius(frame.scene) + frame.needs.water_lift;
   return {(level - frame.sea.highest) * (1.0 - icosphere_sag(frame.needs.water_level)), level + frame.sea.highest};
 }
 
@@ -53,7 +51,6 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   const glm::vec3 high(pose.eye);
   const double radius = scene.planet.radius;
   const double drift = turned(glm::radians(scene.clouds.drift), view.seconds);
-  const double level = has_water(scene) ? scene.water.level / radius : 0.0;
 
   FrameBlock block;
   block.clip_from_eye = clip_from_eye(pose, view);
@@ -74,7 +71,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.cloud_moments = vector(maps.cloud_moments);
   // Waves feel the ground where the water is a few of their heights deep.
   const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
-  block.sea = glm::vec4(1.0 + level, sea.highest, static_cast<double>(sea.waves.size()), shoal);
+  block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest, static_cast<double>(sea.waves.size()), shoal);
   block.ripple = glm::vec4(needs.ripples ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
                            needs.air == Air::none ? 0.0 : 1.0, 0.0);
   const double turn = turned(scene.water.ripple_speed, view.seconds);
@@ -84,7 +81,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
   const double snow_latitude = scene.terrain.snow_latitude;
   const double snow_sine = snow_latitude >= 90.0 ? 2.0 : std::sin(glm::radians(snow_latitude));
-  block.levels = glm::vec4(snow_sine, water_lift(frame), maps.ground_level, 0.0);
+  block.levels = glm::vec4(snow_sine, needs.water_lift, maps.ground_level, 0.0);
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

@@ -15,6 +15,9 @@ namespace {
 constexpr std::int64_t map_noise_a_frame = 1'600'000;
 constexpr std::int64_t mesh_noise_a_frame = 120'000;
 
+// Whether pixels add layers that the map can't hold.
+bool shows_fine_layers(const Needs& needs) { return needs.pixel_octaves_end > needs.pixel_octaves_first; }
+
 bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.lowest; }
 
 }  // namespace
@@ -22,7 +25,7 @@ bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.low
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
 bool GroundIcosphere::ready(const Needs& needs) {
-  draw_program_.want(needs.pixel_octaves_end > needs.pixel_octaves_first ? "ground/icosphere_near" : "ground/icosphere");
+  draw_program_.want(shows_fine_layers(needs) ? "ground/icosphere_near" : "ground/icosphere");
   return bake_program_.ready() && draw_program_.ready();
 }
 
@@ -49,7 +52,9 @@ void GroundIcosphere::update(const Frame& frame) {
 GroundIcosphere::Surface GroundIcosphere::make_surface(const Frame& frame, int level, std::vector<glm::vec3> positions) {
   const Icosphere& sphere = spheres_.geometry(level);
   const double tolerance = frame.needs.ground_tolerance;
-  return {level, positions, radius_ranges(sphere, positions), {positions, simplified(sphere, positions, tolerance)}, tolerance};
+  GroupedMesh mesh(positions, simplified(sphere, positions, tolerance));
+  std::vector<RadiusRange> ranges = radius_ranges(sphere, positions);
+  return {level, std::move(positions), std::move(ranges), std::move(mesh), tolerance};
 }
 
 void GroundIcosphere::make_coarse(const Frame& frame) {
@@ -108,8 +113,10 @@ void GroundIcosphere::bind_map(double level) { (fine_done_ ? fine_map_ : coarse_
 double GroundIcosphere::map_texel_angle() const { return texel_angle((fine_done_ ? fine_map_ : coarse_map_)->side()); }
 
 void GroundIcosphere::draw(const Frame& frame) {
-  const LayerBlock block = layer_block(frame.scene, frame.pose);
-  layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
+  if (shows_fine_layers(frame.needs)) {
+    const LayerBlock block = layer_block(frame.scene, frame.pose);
+    layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
+  }
   draw_program_.use(frame.effort == Effort::complete);
   Surface& surface = fine_done_ ? *fine_ : *coarse_;
   if (surface.tolerance != frame.needs.ground_tolerance) {

@@ -21,11 +21,10 @@ Cone cone_of_picture(const Frame& frame) {
   return {glm::vec3(frame.pose.forward), static_cast<float>(std::cos(half_angle))};
 }
 
-// Within what the planet hides, which nothing dips below by so much.
+// Within what the planet hides.
 Cone cone_of_planet(const Frame& frame) {
-  const bool solid = frame.needs.ground != Ground::none || frame.needs.water != Water::none;
-  const double distance = glm::length(frame.pose.eye);
-  const double sine = solid && distance > 1.0 ? 0.99 / distance : 0.0;
+  const double solid = solid_radius(frame.needs), distance = glm::length(frame.pose.eye);
+  const double sine = distance > solid ? solid / distance : 0.0;
   return {glm::vec3(-frame.pose.eye / distance), sine > 0.0 ? static_cast<float>(std::sqrt(1.0 - sine * sine)) : 2.0F};
 }
 

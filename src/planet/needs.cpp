@@ -9,6 +9,7 @@
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
+#include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
 
@@ -105,12 +106,13 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
     decide.add("waves.steepness", sea.steepness,
                sea.held ? "held where the surface would fold over" : "as asked; the surface does not fold");
   }
-  needs.water_level = needs.water == Water::waves
-                          ? 6
-                          : sphere_level(scene.quality.pixel_error * pixel_of_height(pose));
+  const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
+  needs.water_level = needs.water == Water::waves ? 6 : sphere_level(allowed);
   decide.add("water.level", needs.water_level,
              needs.water == Water::waves ? "fine enough to carry waves"
                                          : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
+  // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the shore.
+  needs.water_lift = std::min(icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed);
 
   const double cell = 1.0 / water.ripple_frequency;
   const bool seen = cell > 2.0 * pose.pixel_angle * pose.clearance;
@@ -149,8 +151,8 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   }
   needs.clouds = Clouds::shell;
   decide.add("clouds", name_of(needs.clouds), "the only model of clouds in this version");
-  const double shell = 1.0 + clouds.height / scene.planet.radius;
-  needs.cloud_level = sphere_level(scene.quality.pixel_error * pose.pixel_angle * std::abs(glm::length(pose.eye) - shell));
+  const double pixel = pose.pixel_angle * std::abs(glm::length(pose.eye) - cloud_radius(scene));
+  needs.cloud_level = sphere_level(scene.quality.pixel_error * pixel);
   decide.add("clouds.level", needs.cloud_level, "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   needs.cloud_texels = scene.quality.cloud_texels;
   const double footprint = std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance);

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "planet/needs.hpp"
+#include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
 
@@ -18,10 +19,9 @@ namespace {
 // The highest that anything of the planet rises, radii.
 double top_radius(const Scene& scene) {
   double top = 1.0;
-  const double radius = scene.planet.radius;
-  if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / radius);
-  if (has_water(scene)) top = std::max(top, 1.0 + scene.water.level / radius + make_sea(scene, 0.0).highest);
-  if (scene.clouds.model != 0) top = std::max(top, 1.0 + scene.clouds.height / radius);
+  if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
+  if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
+  if (scene.clouds.model != 0) top = std::max(top, cloud_radius(scene));
   return top;
 }
 
@@ -60,7 +60,7 @@ double surface_radius(const Scene& scene, const glm::dvec3& direction) {
                         drawn_ground_radius(terrain, direction, ground_level(scene))});
   }
   if (has_water(scene)) {
-    surface = std::max(surface, 1.0 + scene.water.level / scene.planet.radius + make_sea(scene, 0.0).highest);
+    surface = std::max(surface, water_radius(scene) + make_sea(scene, 0.0).highest);
   }
   return surface;
 }
@@ -112,8 +112,7 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
 }
 
 double outermost_radius(const Scene& scene) {
-  const double air = scene.air.model != 0 ? 1.0 + scene.air.height / scene.planet.radius : 1.0;
-  return std::max(top_radius(scene), air);
+  return std::max(top_radius(scene), scene.air.model != 0 ? air_radius(scene) : 1.0);
 }
 
 double pixel_of_height(const Pose& pose) {

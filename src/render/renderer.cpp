@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "gl/caps.hpp"
+#include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "scene/uniforms.hpp"
 
@@ -84,7 +85,6 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   choose_techniques();
   const Sea sea = make_sea(scene, view.seconds);
   const Frame frame = {scene, view, pose_, needs_, sea, shot.channel, shot.effort};
-
   planet_box_ = box_of_sphere(pose_, view, outermost_radius(scene));
 
   gl::begin_frame();
@@ -136,8 +136,7 @@ void Renderer::set_maps(const Frame& frame) {
     no_ground_.bind(gl::unit_ground);
   }
   if (clouds_) {
-    const double shell = 1.0 + frame.scene.clouds.height / frame.scene.planet.radius;
-    maps.cloud_level = map_level(frame, shell, clouds_->map_texel_angle());
+    maps.cloud_level = map_level(frame, cloud_radius(frame.scene), clouds_->map_texel_angle());
     maps.cloud_moments = clouds_->moments();
     clouds_->bind_map(maps.cloud_level);
   } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,14 +16,26 @@
 
 namespace terrella::test {
 
+// Adds shaders/<path>, after what it includes; each file once.
+inline void add_library(const std::string& path, std::set<std::string>& added, std::string& text) {
+  if (!added.insert(path).second) return;
+  std::ifstream file(std::string(TERRELLA_SOURCE_DIR) + "/shaders/" + path);
+  CHECK(file.good(), path);
+  const std::string include = "#include \"";
+  std::string own;
+  for (std::string line; std::getline(file, line);) {
+    const bool includes = line.rfind(include, 0) == 0;
+    if (includes) add_library(line.substr(include.size(), line.rfind('"') - include.size()), added, text);
+    own += includes ? "\n" : line + "\n";
+  }
+  text += own;
+}
+
 // The text of shaders/lib/<name>.glsl with those that it includes in front, each once.
 inline std::string library(const std::vector<std::string>& names) {
+  std::set<std::string> added;
   std::string text;
-  for (const std::string& name : names) {
-    std::ifstream file(std::string(TERRELLA_SOURCE_DIR) + "/shaders/lib/" + name + ".glsl");
-    CHECK(file.good(), name);
-    for (std::string line; std::getline(file, line);) text += line.rfind("#include", 0) == 0 ? "\n" : line + "\n";
-  }
+  for (const std::string& name : names) add_library("lib/" + name + ".glsl", added, text);
   return text;
 }
 
