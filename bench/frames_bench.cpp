@@ -56,9 +56,12 @@ const bool registered = [] {
   for (const Preset& preset : presets()) {
     benchmark::RegisterBenchmark(("frame/" + preset.name).c_str(),
                                  [&preset](benchmark::State& state) { draw_preset(state, preset.scene); })
-        ->Unit(benchmark::kMillisecond)->UseRealTime();
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
   }
-  benchmark::RegisterBenchmark("frame/temperate, terrain dragged", drag_terrain)->Unit(benchmark::kMillisecond)->UseRealTime();
+  benchmark::RegisterBenchmark("frame/temperate, terrain dragged", drag_terrain)
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
   return true;
 }();
 

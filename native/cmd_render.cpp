@@ -46,7 +46,8 @@ void read_size(const std::string& text, StillOptions& still, Issues& issues) {
   char rest = 0;
   const bool read = std::sscanf(text.c_str(), "%6dx%6d%c", &width, &height, &rest) == 2;
   if (!read || width < 1 || height < 1 || width > 16384 || height > 16384) {
-    issues.add("--size", text_of(json_quoted(shortened(text)), " is not a size; give WIDTHxHEIGHT, each 1 to 16384, as in 1280x720."));
+    issues.add("--size", text_of(json_quoted(shortened(text)),
+                                 " is not a size; give WIDTHxHEIGHT, each 1 to 16384, as in 1280x720."));
     return;
   }
   still.width = width;
@@ -61,8 +62,9 @@ void read_channel(const std::string& text, Task& task, Issues& issues) {
       return;
     }
   }
-  issues.add("--channel", text_of(json_quoted(shortened(text)), " is not a channel; there are color, distance, normal and height",
-                                  did_you_mean(nearest_name(text, names))));
+  issues.add("--channel",
+             text_of(json_quoted(shortened(text)), " is not a channel; there are color, distance, normal and height",
+                     did_you_mean(nearest_name(text, names))));
 }
 
 Task understand(const RenderOptions& options, Issues& issues) {
@@ -140,7 +142,8 @@ std::string render(const RenderOptions& options, const Task& task) {
   report.first_frame_ms = milliseconds_since(start);
   report.nonfinite_pixels = count_nonfinite(image, task.channel);
   report.work = renderer.stats();
-  if (const Result<Done> done = write_file_whole(options.out, task.pfm ? encode_pfm(image) : encode_png(image)); !done) {
+  if (const Result<Done> done = write_file_whole(options.out, task.pfm ? encode_pfm(image) : encode_png(image));
+      !done) {
     return done.sentence();
   }
   if (options.why) print_needs(renderer.needs());
@@ -154,7 +157,8 @@ std::string render(const RenderOptions& options, const Task& task) {
   report.height = task.still.height;
   report.frames = 1 + options.frames;
   report.needs = renderer.needs();
-  if (renderer.pose().raised) report.issues.push_back("camera.altitude: the camera was under the surface and was raised above it.");
+  if (renderer.pose().raised)
+    report.issues.push_back("camera.altitude: the camera was under the surface and was raised above it.");
   const Result<Done> done = write_file_whole(options.stats, to_json(report) + "\n");
   return done ? std::string() : done.sentence();
 }
@@ -167,7 +171,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
   add_scene_options(*command, options->scene);
   command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT (1280x720)");
   command->add_option("--time", options->time, "Seconds since the scene began (0)");
-  command->add_option("--out", options->out, "The picture: .png, or .pfm for linear light and measurements")->required();
+  command->add_option("--out", options->out, "The picture: .png, or .pfm for linear light and measurements")
+      ->required();
   command->add_option("--channel", options->channel, "color, distance, normal or height (color)");
   command->add_option("--samples", options->samples, "N for N x N samples a pixel (1)");
   command->add_option("--frames", options->frames, "Draw N frames more after warming up, to time them (0)");

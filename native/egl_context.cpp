@@ -24,8 +24,9 @@ EGLContext create_context(EGLDisplay display, Api api) {
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (eglChooseConfig(display, config_wishes, &config, 1, &count) == EGL_FALSE || count == 0) return EGL_NO_CONTEXT;
-  const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                         EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint core[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   const EGLint es[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
   return eglCreateContext(display, config, EGL_NO_CONTEXT, api == Api::core ? core : es);
 }

@@ -3,9 +3,8 @@
 #include <emscripten/html5_webgl.h>
 
 #include <memory>
-#include <string>
-
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "app/session.hpp"
 #include "gl/caps.hpp"
@@ -75,8 +74,8 @@ EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale) {
   session->resize(width, height, scale);
 }
 
-// Returns the share of shaders that are ready, below 1, until there is a picture; then 1, plus 1 if a picture was drawn,
-// plus 2 if another frame is wanted.
+// Returns the share of shaders that are ready, below 1, until there is a picture; then 1, plus 1 if a picture was
+// drawn, plus 2 if another frame is wanted.
 EMSCRIPTEN_KEEPALIVE double terrella_frame(double seconds) {
   const Session::Turn turn = session->frame(seconds, 0);
   if (turn.progress < 1.0) return turn.progress;
@@ -114,8 +113,12 @@ EMSCRIPTEN_KEEPALIVE const char* terrella_set(const char* path, const char* text
 }
 EMSCRIPTEN_KEEPALIVE const char* terrella_scene() { return returned(terrella::to_json(session->document())); }
 EMSCRIPTEN_KEEPALIVE const char* terrella_link() { return returned(terrella::to_link(session->document())); }
-EMSCRIPTEN_KEEPALIVE const char* terrella_load_json(const char* text) { return returned_list(session->load_json(text)); }
-EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) { return returned_list(session->load_link(link)); }
+EMSCRIPTEN_KEEPALIVE const char* terrella_load_json(const char* text) {
+  return returned_list(session->load_json(text));
+}
+EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) {
+  return returned_list(session->load_link(link));
+}
 EMSCRIPTEN_KEEPALIVE void terrella_add_notice(const char* sentence) { session->add_notices({sentence}); }
 EMSCRIPTEN_KEEPALIVE void terrella_set_paused(int paused) { session->set_paused(paused != 0); }
 EMSCRIPTEN_KEEPALIVE void terrella_show_panel(int shown) { session->show_panel(shown != 0); }
@@ -130,7 +133,9 @@ EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const float* from = image.at(x, y);
-      unsigned char* to = pixels.data() + std::size_t{4} * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+      unsigned char* to =
+          pixels.data() + std::size_t{4} * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                            static_cast<std::size_t>(x));
       for (int c = 0; c < 3; ++c) to[c] = static_cast<unsigned char>(from[c] * 255.0F + 0.5F);
     }
   }

@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace terrella {
 namespace {
 
-constexpr double farthest = 1e4;          // clearance, planet radii
-constexpr double drag_friction = 3.5;     // 1/s
-constexpr double zoom_ease = 12.0;        // 1/s
-constexpr double key_pixels = 420.0;      // a second
-constexpr double key_zoom = 1.3;          // logarithm of the factor, a second
-constexpr double key_turn = 50.0;         // degrees a second
-constexpr double slowest = 4.0;           // pixels a second; below it the planet stands
+constexpr double farthest = 1e4;       // clearance, planet radii
+constexpr double drag_friction = 3.5;  // 1/s
+constexpr double zoom_ease = 12.0;     // 1/s
+constexpr double key_pixels = 420.0;   // a second
+constexpr double key_zoom = 1.3;       // logarithm of the factor, a second
+constexpr double key_turn = 50.0;      // degrees a second
+constexpr double slowest = 4.0;        // pixels a second; below it the planet stands
 
 double wrapped(double degrees) { return std::remainder(degrees, 360.0); }
 
@@ -114,7 +113,8 @@ void CameraControl::zoom_now(Scene& scene, const View& view, double factor, glm:
   const double radius = scene.planet.radius;
   const double surface = glm::length(pose.eye) - pose.clearance;
   scene.camera.altitude = (surface + clearance - 1.0) * radius;
-  scene.camera.pitch = std::clamp(scene.camera.pitch + natural_pitch(clearance) - natural_pitch(pose.clearance), -90.0, 90.0);
+  scene.camera.pitch =
+      std::clamp(scene.camera.pitch + natural_pitch(clearance) - natural_pitch(pose.clearance), -90.0, 90.0);
 }
 
 bool CameraControl::tick(Scene& scene, const View& view, double seconds) {

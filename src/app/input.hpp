@@ -6,8 +6,36 @@ namespace terrella {
 enum class Button { left = 0, right = 1, middle = 2 };
 
 enum class Key {
-  unknown, left, right, up, down, page_up, page_down, home, end, plus, minus, space, enter, escape, tab, backspace, del,
-  a, c, d, e, f, h, q, r, s, v, w, x, z
+  unknown,
+  left,
+  right,
+  up,
+  down,
+  page_up,
+  page_down,
+  home,
+  end,
+  plus,
+  minus,
+  space,
+  enter,
+  escape,
+  tab,
+  backspace,
+  del,
+  a,
+  c,
+  d,
+  e,
+  f,
+  h,
+  q,
+  r,
+  s,
+  v,
+  w,
+  x,
+  z
 };
 
 struct Modifiers {

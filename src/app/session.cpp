@@ -1,10 +1,10 @@
 #include "app/session.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "app/imgui_input.hpp"
 #include "app/stats.hpp"
@@ -125,7 +125,8 @@ void Session::wheel(double notches) {
 void Session::pinch(double factor, double dx, double dy, double x, double y) {
   drag_ = Drag::none;
   const glm::dvec2 middle = to_pixels({x, y});
-  if (std::isfinite(factor) && factor > 0.0) camera_.zoom_now(document_.scene, view(), std::clamp(factor, 0.2, 5.0), middle);
+  if (std::isfinite(factor) && factor > 0.0)
+    camera_.zoom_now(document_.scene, view(), std::clamp(factor, 0.2, 5.0), middle);
   camera_.look(document_.scene, view(), to_pixels({dx, dy}));
   scene_was_changed();
 }

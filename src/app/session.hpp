@@ -1,5 +1,5 @@
-// One planet on screen: scene, clock, camera, panel and renderer. The window and the page feed it with what hands do and
-// ask it for frames; it draws only when something has changed.
+// One planet on screen: scene, clock, camera, panel and renderer. The window and the page feed it with what hands do
+// and ask it for frames; it draws only when something has changed.
 #pragma once
 
 #include <deque>
@@ -25,11 +25,11 @@ class Session {
  public:
   // What the surroundings do for the session.
   struct Host {
-    std::function<void()> scene_changed;                    // by the user or by a call
-    std::function<void(const std::string&)> copy_text;      // to the clipboard
-    std::function<void(const std::string&)> save_json;      // offers a file
-    std::function<void()> open_json;                        // asks for a file; comes back through load_json
-    std::function<void()> save_picture;                     // offers a picture of the window
+    std::function<void()> scene_changed;                // by the user or by a call
+    std::function<void(const std::string&)> copy_text;  // to the clipboard
+    std::function<void(const std::string&)> save_json;  // offers a file
+    std::function<void()> open_json;                    // asks for a file; comes back through load_json
+    std::function<void()> save_picture;                 // offers a picture of the window
   };
 
   explicit Session(Host host);

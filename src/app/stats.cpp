@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <nlohmann/json.hpp>
 
 namespace terrella {
@@ -41,7 +40,8 @@ std::string to_json(const StatsReport& report) {
                    {"air", name_of(needs.air)},
                    {"stars", name_of(needs.stars)}};
   Json decisions = Json::array();
-  for (const Decision& d : needs.decisions) decisions.push_back({{"what", d.what}, {"chosen", d.chosen}, {"why", d.why}});
+  for (const Decision& d : needs.decisions)
+    decisions.push_back({{"what", d.what}, {"chosen", d.chosen}, {"why", d.why}});
   json["needs"] = decisions;
   json["nonfinite_pixels"] = report.nonfinite_pixels;
   json["issues"] = report.issues;

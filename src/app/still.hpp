@@ -15,9 +15,9 @@ struct StillOptions {
 // An sRGB picture, 3 channels, 0..1.
 Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& options);
 
-// For Channel::color: linear light after exposure, before tone mapping, 3 channels. distance: from the eye, m, +Inf for the
-// sky, 1 channel. height: over the sphere, m, +Inf for the sky, 1 channel. normal: unit, planet axes, 0 for the sky, 3
-// channels. Measurements are taken in the middle of a pixel, whatever the number of samples.
+// For Channel::color: linear light after exposure, before tone mapping, 3 channels. distance: from the eye, m, +Inf for
+// the sky, 1 channel. height: over the sphere, m, +Inf for the sky, 1 channel. normal: unit, planet axes, 0 for the
+// sky, 3 channels. Measurements are taken in the middle of a pixel, whatever the number of samples.
 Image take_measurement(Renderer& renderer, const Scene& scene, const StillOptions& options, Channel channel);
 
 }  // namespace terrella

@@ -35,15 +35,35 @@ class Handle {
 };
 
 namespace detail {
-inline GLuint create_buffer() { GLuint n = 0; glGenBuffers(1, &n); return n; }
+inline GLuint create_buffer() {
+  GLuint n = 0;
+  glGenBuffers(1, &n);
+  return n;
+}
 inline void delete_buffer(GLuint n) { glDeleteBuffers(1, &n); }
-inline GLuint create_vertex_array() { GLuint n = 0; glGenVertexArrays(1, &n); return n; }
+inline GLuint create_vertex_array() {
+  GLuint n = 0;
+  glGenVertexArrays(1, &n);
+  return n;
+}
 inline void delete_vertex_array(GLuint n) { glDeleteVertexArrays(1, &n); }
-inline GLuint create_texture() { GLuint n = 0; glGenTextures(1, &n); return n; }
+inline GLuint create_texture() {
+  GLuint n = 0;
+  glGenTextures(1, &n);
+  return n;
+}
 inline void delete_texture(GLuint n) { glDeleteTextures(1, &n); }
-inline GLuint create_framebuffer() { GLuint n = 0; glGenFramebuffers(1, &n); return n; }
+inline GLuint create_framebuffer() {
+  GLuint n = 0;
+  glGenFramebuffers(1, &n);
+  return n;
+}
 inline void delete_framebuffer(GLuint n) { glDeleteFramebuffers(1, &n); }
-inline GLuint create_renderbuffer() { GLuint n = 0; glGenRenderbuffers(1, &n); return n; }
+inline GLuint create_renderbuffer() {
+  GLuint n = 0;
+  glGenRenderbuffers(1, &n);
+  return n;
+}
 inline void delete_renderbuffer(GLuint n) { glDeleteRenderbuffers(1, &n); }
 inline GLuint create_program() { return glCreateProgram(); }
 inline void delete_program(GLuint n) { glDeleteProgram(n); }

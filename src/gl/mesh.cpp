@@ -5,7 +5,8 @@
 namespace terrella::gl {
 namespace {
 
-void upload(GLenum target, const BufferHandle& buffer, std::span<const std::byte> bytes, GLenum usage = GL_STATIC_DRAW) {
+void upload(GLenum target, const BufferHandle& buffer, std::span<const std::byte> bytes,
+            GLenum usage = GL_STATIC_DRAW) {
   glBindBuffer(target, buffer.name());
   glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
 }

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "gl/handle.hpp"
 #include "gl/ledger.hpp"

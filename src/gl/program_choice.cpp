@@ -6,7 +6,8 @@ namespace terrella::gl {
 
 void ProgramChoice::want(std::string_view name) {
   const auto found = std::find_if(programs_.begin(), programs_.end(), [&](const auto& p) { return p->name() == name; });
-  wanted_ = found != programs_.end() ? found->get() : programs_.emplace_back(std::make_unique<Program>(name, vertex_)).get();
+  wanted_ =
+      found != programs_.end() ? found->get() : programs_.emplace_back(std::make_unique<Program>(name, vertex_)).get();
 }
 
 void ProgramChoice::use(bool patient) {

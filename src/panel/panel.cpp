@@ -23,7 +23,8 @@ bool begin_window(bool folded) {
   const float margin = points(panel_margin);
   const float width = folded ? 0.0F : std::min(points(panel_width), widest_share * display.x);
   ImGui::SetNextWindowPos({margin, margin});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {folded ? display.x : width, std::max(margin, display.y - 2.0F * margin)});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F},
+                                      {folded ? display.x : width, std::max(margin, display.y - 2.0F * margin)});
   return ImGui::Begin("panel", nullptr,
                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |

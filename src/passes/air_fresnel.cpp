@@ -1,9 +1,8 @@
 #include "passes/air_fresnel.hpp"
 
 #include <cmath>
-#include <numbers>
-
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "planet/spheres.hpp"
 

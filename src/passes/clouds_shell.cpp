@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <glm/geometric.hpp>
 
 #include "planet/spheres.hpp"
 
@@ -28,8 +27,8 @@ bool CloudsShell::ready() { return bake_program_.ready() && draw_program_.ready(
 void CloudsShell::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const auto& clouds = frame.scene.clouds;
-  const Key key = {frame.scene.planet.seed, clouds.frequency,          clouds.persistence,       clouds.warp,
-                   clouds.speed,            frame.needs.cloud_octaves, frame.needs.cloud_texels};
+  const Key key = {frame.scene.planet.seed,   clouds.frequency,        clouds.persistence, clouds.warp, clouds.speed,
+                   frame.needs.cloud_octaves, frame.needs.cloud_texels};
   if (!key_ || *key_ != key) {
     key_ = key;
     steps_.fill(std::nullopt);
@@ -79,7 +78,9 @@ int CloudsShell::hasty_rows(const Frame& frame, double interval) {
   return static_cast<int>(std::clamp(pace, at_ease, 4.0 * at_ease));
 }
 
-bool CloudsShell::holds(std::int64_t step) const { return steps_.at(static_cast<std::size_t>(channel_of(step))) == step; }
+bool CloudsShell::holds(std::int64_t step) const {
+  return steps_.at(static_cast<std::size_t>(channel_of(step))) == step;
+}
 
 bool CloudsShell::advance(const Frame& frame, std::int64_t step, int steps, int rows) {
   std::int64_t missing = step;

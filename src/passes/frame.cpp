@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -18,9 +17,7 @@ namespace {
 glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dvec4(v, w)); }
 
 // An angle (rad) that grows with time without end, reduced to one turn before it is rounded.
-double turned(double speed, double seconds) {
-  return std::remainder(speed * seconds, 2.0 * std::numbers::pi);
-}
+double turned(double speed, double seconds) { return std::remainder(speed * seconds, 2.0 * std::numbers::pi); }
 
 }  // namespace
 
@@ -61,17 +58,20 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.ray_forward = vector(pose.forward - shift.x * right - shift.y * up, pose.pixel_angle);
   block.ray_right = vector(right);
   block.ray_up = vector(up);
-  block.sun_direction = vector(direction_of(scene.sun.latitude, scene.sun.longitude), std::exp2(scene.picture.exposure));
+  block.sun_direction =
+      vector(direction_of(scene.sun.latitude, scene.sun.longitude), std::exp2(scene.picture.exposure));
   const Color sun = scene.sun.color;
   const glm::dvec3 sun_color(linear_light(sun.r), linear_light(sun.g), linear_light(sun.b));
   block.sun_light = vector(sun_color * scene.sun.intensity);
   block.ground_map_scale = glm::vec4(maps.ground_texel, needs.pixel_octaves_first, needs.pixel_octaves_end,
                                      needs.water == Water::none ? 0.0 : 1.0);
-  block.cloud_turn = glm::vec4(std::cos(drift), std::sin(drift), maps.cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
+  block.cloud_turn =
+      glm::vec4(std::cos(drift), std::sin(drift), maps.cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
   block.cloud_moments = vector(maps.cloud_moments);
   // Waves feel the ground where the water is a few of their heights deep.
   const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
-  block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest, static_cast<double>(sea.waves.size()), shoal);
+  block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest,
+                        static_cast<double>(sea.waves.size()), shoal);
   block.ripple = glm::vec4(needs.ripples ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
                            needs.air == Air::none ? 0.0 : 1.0, 0.0);
   const double turn = turned(scene.water.ripple_speed, view.seconds);

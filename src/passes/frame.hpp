@@ -50,7 +50,8 @@ struct Frame {
 
 Sight sight_of(const Frame& frame);
 
-// Radius of a sphere that ground or water hides whole, whatever their flat triangles dip below it; 0 if there is neither.
+// Radius of a sphere that ground or water hides whole, whatever their flat triangles dip below it; 0 if there is
+// neither.
 double solid_radius(const Needs& needs);
 
 // Between which radii the water is drawn, troughs and the dips of flat triangles included; 0 and 0 where there is none.

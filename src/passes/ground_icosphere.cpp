@@ -1,9 +1,8 @@
 #include "passes/ground_icosphere.hpp"
 
 #include <algorithm>
-#include <utility>
-
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "passes/layers.hpp"
 #include "planet/terrain.hpp"
@@ -32,7 +31,8 @@ bool GroundIcosphere::ready(const Needs& needs) {
 void GroundIcosphere::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Scene& scene = frame.scene;
-  const Key key = {scene.planet, scene.terrain, has_water(scene) ? scene.water.level : 0.0, frame.needs.ground_level, frame.needs.ground_texels};
+  const Key key = {scene.planet, scene.terrain, has_water(scene) ? scene.water.level : 0.0, frame.needs.ground_level,
+                   frame.needs.ground_texels};
   const bool changed = !key_ || *key_ != key;
   if (changed) {
     key_ = key;
@@ -49,7 +49,8 @@ void GroundIcosphere::update(const Frame& frame) {
   }
 }
 
-GroundIcosphere::Surface GroundIcosphere::make_surface(const Frame& frame, int level, std::vector<glm::vec3> positions) {
+GroundIcosphere::Surface GroundIcosphere::make_surface(const Frame& frame, int level,
+                                                       std::vector<glm::vec3> positions) {
   const Icosphere& sphere = spheres_.geometry(level);
   const double tolerance = frame.needs.ground_tolerance;
   GroupedMesh mesh(positions, simplified(sphere, positions, tolerance));

@@ -1,5 +1,5 @@
-// The ground as a displaced icosphere (Sandahl 2022, section 2.1). Heights are computed when a parameter changes: at once
-// for a coarse mesh and map, over the following frames for the fine ones.
+// The ground as a displaced icosphere (Sandahl 2022, section 2.1). Heights are computed when a parameter changes: at
+// once for a coarse mesh and map, over the following frames for the fine ones.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,6 @@
 #include "passes/layers.hpp"
 
 #include <cmath>
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 

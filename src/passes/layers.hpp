@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-
 #include <glm/vec4.hpp>
 
 #include "planet/pose.hpp"

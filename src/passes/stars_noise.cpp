@@ -1,9 +1,8 @@
 #include "passes/stars_noise.hpp"
 
 #include <cmath>
-#include <utility>
-
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace terrella {
 namespace {

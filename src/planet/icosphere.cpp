@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
-
 #include <glm/geometric.hpp>
+#include <unordered_map>
 
 #include "base/check.hpp"
 
@@ -16,8 +15,18 @@ using Corners = std::array<glm::dvec3, 3>;
 const std::array<glm::dvec3, 12>& icosahedron_corners() {
   static const auto corners = [] {
     const double t = 0.5 * (1.0 + std::sqrt(5.0));
-    std::array<glm::dvec3, 12> c = {{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0}, {0, -1, t}, {0, 1, t},
-                                     {0, -1, -t}, {0, 1, -t}, {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}}};
+    std::array<glm::dvec3, 12> c = {{{-1, t, 0},
+                                     {1, t, 0},
+                                     {-1, -t, 0},
+                                     {1, -t, 0},
+                                     {0, -1, t},
+                                     {0, 1, t},
+                                     {0, -1, -t},
+                                     {0, 1, -t},
+                                     {t, 0, -1},
+                                     {t, 0, 1},
+                                     {-t, 0, -1},
+                                     {-t, 0, 1}}};
     for (glm::dvec3& corner : c) corner = glm::normalize(corner);
     return c;
   }();
@@ -25,9 +34,9 @@ const std::array<glm::dvec3, 12>& icosahedron_corners() {
 }
 
 constexpr std::array<std::array<std::uint32_t, 3>, 20> icosahedron_faces = {
-    {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+    {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-     {3, 8, 9},  {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+     {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 
 // Makes the vertex in the middle of an edge, once for the two triangles that share it.
 class Midpoints {
@@ -97,8 +106,8 @@ Icosphere make_icosphere(int level) {
 double icosphere_edge(int level) {
   CHECK(level >= 0 && level <= max_icosphere_level, level);
   // Longest edges, computed from the geometry; each level is a little more than half of the one before.
-  constexpr std::array<double, max_icosphere_level + 1> edges = {
-      1.107149, 0.628319, 0.326366, 0.164834, 0.082627, 0.041340, 0.020673, 0.010337, 0.005169};
+  constexpr std::array<double, max_icosphere_level + 1> edges = {1.107149, 0.628319, 0.326366, 0.164834, 0.082627,
+                                                                 0.041340, 0.020673, 0.010337, 0.005169};
   return edges[static_cast<std::size_t>(level)];
 }
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/check.hpp"
 
@@ -103,7 +102,12 @@ void add_triangle(const Hierarchy& tree, const std::vector<bool>& needed, int le
     return;
   }
   // From a corner on, around to the middles that are there: a fan.
-  const std::uint32_t corner = on_ab && on_bc ? ab : on_bc && on_ca ? bc : on_ca && on_ab ? ca : on_ab ? ab : on_bc ? bc : ca;
+  const std::uint32_t corner = on_ab && on_bc   ? ab
+                               : on_bc && on_ca ? bc
+                               : on_ca && on_ab ? ca
+                               : on_ab          ? ab
+                               : on_bc          ? bc
+                                                : ca;
   std::vector<std::uint32_t> rim = {a};
   if (on_ab) rim.push_back(ab);
   rim.push_back(b);
@@ -185,7 +189,8 @@ std::vector<std::uint32_t> visible_groups(const Sight& sight, double occluder, s
     const glm::dvec3 to_middle = 0.5 * (occluder + top) * axis - sight.eye;
     const double ball = 0.5 * std::abs(top - occluder) + std::max(top, occluder) * half_angle;
     const double far = glm::length(to_middle);
-    const double beside = far > ball ? arc_cosine(glm::dot(to_middle, sight.forward) / far) - std::asin(ball / far) : 0.0;
+    const double beside =
+        far > ball ? arc_cosine(glm::dot(to_middle, sight.forward) / far) - std::asin(ball / far) : 0.0;
     if (beside <= sight.half_angle) groups.push_back(g);
   }
   return groups;

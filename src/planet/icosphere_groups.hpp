@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/vec3.hpp>
 
 #include "planet/icosphere.hpp"
 
@@ -26,9 +25,9 @@ GroupedTriangles all_triangles(const Icosphere& sphere);
 
 // Fewer triangles between the same vertices, without cracks: a triangle of a coarser level is split in four where the
 // middle of one of its edges lies further than tolerance from the straight edge, and in two or three where only a
-// neighbour is ("red-green" refinement, Bank, Sherman & Weiser 1983). So no vertex that is left out lies further than 2.5
-// tolerances from the triangles there, over two levels. sphere: of group_level or finer; positions: of its vertices,
-// planet radii; tolerance: planet radii, 0 for all triangles.
+// neighbour is ("red-green" refinement, Bank, Sherman & Weiser 1983). So no vertex that is left out lies further
+// than 2.5 tolerances from the triangles there, over two levels. sphere: of group_level or finer; positions: of its
+// vertices, planet radii; tolerance: planet radii, 0 for all triangles.
 GroupedTriangles simplified(const Icosphere& sphere, std::span<const glm::vec3> positions, double tolerance);
 
 // Between which radii a surface lies, planet radii.
@@ -44,9 +43,9 @@ std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, std::span<const 
 
 // What an eye can see: a cone around a direction.
 struct Sight {
-  glm::dvec3 eye;                      // planet radii from the centre
-  glm::dvec3 forward{1.0, 0.0, 0.0};   // unit
-  double half_angle = 4.0;             // rad; pi or more: all around
+  glm::dvec3 eye;                     // planet radii from the centre
+  glm::dvec3 forward{1.0, 0.0, 0.0};  // unit
+  double half_angle = 4.0;            // rad; pi or more: all around
 };
 
 // The groups that may be seen, in order. occluder: radius of a sphere that lies within the surface; tops: how high the

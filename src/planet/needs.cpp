@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
-
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
@@ -111,7 +110,8 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   decide.add("water.level", needs.water_level,
              needs.water == Water::waves ? "fine enough to carry waves"
                                          : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
-  // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the shore.
+  // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the
+  // shore.
   needs.water_lift = std::min(icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed);
 
   const double cell = 1.0 / water.ripple_frequency;
@@ -124,8 +124,8 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
 }
 
 // By how much (rad) the coarsest layer of clouds may turn between two pictures that are blended. Half way between two
-// gradients that are an angle apart, their mean is shorter by the cosine of half of it; layer i turns by 2^i times as much
-// as the coarsest. The angle is such that all layers together lose a part of their amplitude that nobody sees.
+// gradients that are an angle apart, their mean is shorter by the cosine of half of it; layer i turns by 2^i times as
+// much as the coarsest. The angle is such that all layers together lose a part of their amplitude that nobody sees.
 double blend_turn(double persistence, int octaves) {
   constexpr double may_be_lost = 0.03;
   const auto lost = [&](double turn) {
@@ -153,25 +153,28 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("clouds", name_of(needs.clouds), "the only model of clouds in this version");
   const double pixel = pose.pixel_angle * std::abs(glm::length(pose.eye) - cloud_radius(scene));
   needs.cloud_level = sphere_level(scene.quality.pixel_error * pixel);
-  decide.add("clouds.level", needs.cloud_level, "the coarsest sphere within quality.pixel_error, and no finer than level 6");
+  decide.add("clouds.level", needs.cloud_level,
+             "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   needs.cloud_texels = scene.quality.cloud_texels;
   const double footprint = std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance);
   needs.cloud_octaves = std::max(1, visible_octaves(clouds.frequency, 2.0, clouds.octaves, footprint));
   decide.add("clouds.octaves", needs.cloud_octaves,
-             needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for" : "finer ones are under two texels of their map");
+             needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for"
+                                                   : "finer ones are under two texels of their map");
   needs.cloud_interval = clouds.speed > 0.0 ? blend_turn(clouds.persistence, needs.cloud_octaves) / clouds.speed : 0.0;
   decide.add("clouds.interval", needs.cloud_interval,
-             clouds.speed > 0.0 ? "seconds between two pictures of the clouds, so that blending them loses 3 % of the noise"
-                                : "clouds.speed is 0");
+             clouds.speed > 0.0
+                 ? "seconds between two pictures of the clouds, so that blending them loses 3 % of the noise"
+                 : "clouds.speed is 0");
 }
 
 void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
   const bool air = scene.air.model != model_none && scene.air.density > 0.0 && scene.air.height > 0.0;
   needs.air = air ? Air::fresnel : Air::none;
   decide.add("air", name_of(needs.air),
-             air                              ? "the only model of air in this version"
+             air                             ? "the only model of air in this version"
              : scene.air.model == model_none ? "air.model asks for none"
-                                              : "density or height is 0: there is nothing to see");
+                                             : "density or height is 0: there is nothing to see");
   const bool stars = scene.stars.model != model_none && scene.stars.density > 0.0 && scene.stars.brightness > 0.0;
   needs.stars = stars ? Stars::noise : Stars::none;
   decide.add("stars", name_of(needs.stars),

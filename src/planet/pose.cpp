@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <utility>
-
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
+#include <utility>
 
 #include "planet/needs.hpp"
 #include "planet/spheres.hpp"

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "formulas/formulas.hpp"
 
@@ -55,12 +54,14 @@ StarSky find_stars(const Scene& scene) {
     }
     if (n.value < threshold) continue;
     const uint32_t dice = f32::hash_cell(glm::ivec3(direction * 200.0F), seed);
-    const float warmth = std::pow(static_cast<float>(dice & 1023U) / 1023.0F, 1.5F) * ((dice & 1024U) != 0U ? 1.F : -1.F);
+    const float warmth =
+        std::pow(static_cast<float>(dice & 1023U) / 1023.0F, 1.5F) * ((dice & 1024U) != 0U ? 1.F : -1.F);
     const float peak = glm::smoothstep(threshold - 0.02F, 1.0F, n.value);
     sky.stars.push_back({direction, peak * peak, star_color(warmth)});
   }
   // Several samples climb to one peak: keep one star of those that stand together.
-  std::sort(sky.stars.begin(), sky.stars.end(), [](const Star& a, const Star& b) { return a.direction.z < b.direction.z; });
+  std::sort(sky.stars.begin(), sky.stars.end(),
+            [](const Star& a, const Star& b) { return a.direction.z < b.direction.z; });
   std::vector<Star> apart;
   const float near = static_cast<float>(0.6 / frequency);
   for (const Star& star : sky.stars) {

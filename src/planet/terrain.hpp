@@ -1,9 +1,8 @@
 // The ground of a scene on the CPU: the same formulas as on the GPU. Lengths in planet radii.
 #pragma once
 
-#include <vector>
-
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "formulas/formulas.hpp"
 #include "scene/scene.hpp"

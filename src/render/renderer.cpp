@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
-
-#include <glm/geometric.hpp>
 
 #include "gl/caps.hpp"
 #include "planet/spheres.hpp"
@@ -75,7 +74,8 @@ double Renderer::choose_techniques() {
   clouds_.choose(needs_.clouds, spheres_);
   air_.choose(needs_.air);
   stars_.choose(needs_.stars);
-  const bool ready[] = {picture_.ready(), ground_.ready(needs_), water_.ready(needs_), air_.ready(), stars_.ready(), clouds_.ready()};
+  const bool ready[] = {picture_.ready(), ground_.ready(needs_), water_.ready(needs_),
+                        air_.ready(),     stars_.ready(),        clouds_.ready()};
   return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
 }
 
@@ -121,8 +121,8 @@ void Renderer::update_slots(const Frame& frame) {
     stars_->update(frame);
     noise_evaluations_ += stars_->noise_evaluations();
   }
-  const int per_pixel = needs_.pixel_octaves_end - needs_.pixel_octaves_first +
-                        (needs_.water == Water::calm && needs_.ripples ? 2 : 0);
+  const int per_pixel =
+      needs_.pixel_octaves_end - needs_.pixel_octaves_first + (needs_.water == Water::calm && needs_.ripples ? 2 : 0);
   noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
 }
 

@@ -1,5 +1,5 @@
-// Single precision against double, for every function of the shader library, over its stated domain. u is half a unit in
-// the last place of single precision; bounds are those that each formula's form allows.
+// Single precision against double, for every function of the shader library, over its stated domain. u is half a unit
+// in the last place of single precision; bounds are those that each formula's form allows.
 #include <gtest/gtest.h>
 
 #include "formulas/formulas.hpp"

@@ -49,14 +49,19 @@ TEST_P(Blocks, SceneBlock) {
 TEST_P(Blocks, FrameBlock) {
   gl::Program program("water/waves");
   program.use();
-  const std::pair<const char*, std::size_t> members[] = {
-      {"clip_from_eye", offsetof(FrameBlock, clip_from_eye)}, {"eye_high", offsetof(FrameBlock, eye_high)},
-      {"eye_low", offsetof(FrameBlock, eye_low)},             {"ray_forward", offsetof(FrameBlock, ray_forward)},
-      {"sun_direction", offsetof(FrameBlock, sun_direction)}, {"sun_light", offsetof(FrameBlock, sun_light)},
-      {"cloud_turn", offsetof(FrameBlock, cloud_turn)},       {"cloud_moments", offsetof(FrameBlock, cloud_moments)},
-      {"sea", offsetof(FrameBlock, sea)},                     {"ripple", offsetof(FrameBlock, ripple)},
-      {"levels", offsetof(FrameBlock, levels)},               {"ripple_turns", offsetof(FrameBlock, ripple_turns)},
-      {"channel", offsetof(FrameBlock, channel)}};
+  const std::pair<const char*, std::size_t> members[] = {{"clip_from_eye", offsetof(FrameBlock, clip_from_eye)},
+                                                         {"eye_high", offsetof(FrameBlock, eye_high)},
+                                                         {"eye_low", offsetof(FrameBlock, eye_low)},
+                                                         {"ray_forward", offsetof(FrameBlock, ray_forward)},
+                                                         {"sun_direction", offsetof(FrameBlock, sun_direction)},
+                                                         {"sun_light", offsetof(FrameBlock, sun_light)},
+                                                         {"cloud_turn", offsetof(FrameBlock, cloud_turn)},
+                                                         {"cloud_moments", offsetof(FrameBlock, cloud_moments)},
+                                                         {"sea", offsetof(FrameBlock, sea)},
+                                                         {"ripple", offsetof(FrameBlock, ripple)},
+                                                         {"levels", offsetof(FrameBlock, levels)},
+                                                         {"ripple_turns", offsetof(FrameBlock, ripple_turns)},
+                                                         {"channel", offsetof(FrameBlock, channel)}};
   for (const auto& [name, offset] : members) {
     EXPECT_EQ(offset_of(program, name), static_cast<GLint>(offset)) << name;
   }

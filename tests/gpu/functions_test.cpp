@@ -24,7 +24,8 @@ class OnGpu : public testing::TestWithParam<Api> {
   std::unique_ptr<EglContext> context_;
 };
 
-std::vector<glm::vec4> inputs(const std::function<std::pair<glm::vec4, glm::vec4>(test::Places&)>& make, int count = 20'000) {
+std::vector<glm::vec4> inputs(const std::function<std::pair<glm::vec4, glm::vec4>(test::Places&)>& make,
+                              int count = 20'000) {
   test::Places places(71U);
   std::vector<glm::vec4> all;
   for (int i = 0; i < count; ++i) {
@@ -39,8 +40,10 @@ TEST_P(OnGpu, Noise) {
   const auto in = inputs([](test::Places& p) {
     return std::pair(glm::vec4(glm::vec3(p.in_cube(100.0)), p.between(-3.1, 3.1)), glm::vec4(0.0F));
   });
-  const auto plain = test::run_on_gpu({"noise"}, "Noise n = simplex_noise(ivec3(0), a.xyz, 7u); result = vec4(n.gradient, n.value);", in);
-  const auto flow = test::run_on_gpu({"noise"}, "Noise n = flow_noise(ivec3(0), a.xyz, a.w, 7u); result = vec4(n.gradient, n.value);", in);
+  const auto plain = test::run_on_gpu(
+      {"noise"}, "Noise n = simplex_noise(ivec3(0), a.xyz, 7u); result = vec4(n.gradient, n.value);", in);
+  const auto flow = test::run_on_gpu(
+      {"noise"}, "Noise n = flow_noise(ivec3(0), a.xyz, a.w, 7u); result = vec4(n.gradient, n.value);", in);
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const glm::dvec3 q(in[2 * i]);
     const f64::Noise expected = f64::simplex_noise(glm::ivec3(0), q, 7U);
@@ -52,9 +55,11 @@ TEST_P(OnGpu, Noise) {
 
 TEST_P(OnGpu, NoiseFromAFarCell) {
   const auto in = inputs([](test::Places& p) {
-    return std::pair(glm::vec4(glm::vec3(p.in_cube(20.0)), 0.0F), glm::vec4(glm::floor(glm::vec3(p.in_cube(8e6))), 0.0F));
+    return std::pair(glm::vec4(glm::vec3(p.in_cube(20.0)), 0.0F),
+                     glm::vec4(glm::floor(glm::vec3(p.in_cube(8e6))), 0.0F));
   });
-  const auto out = test::run_on_gpu({"noise"}, "Noise n = simplex_noise(ivec3(b.xyz), a.xyz, 7u); result = vec4(n.value);", in);
+  const auto out =
+      test::run_on_gpu({"noise"}, "Noise n = simplex_noise(ivec3(b.xyz), a.xyz, 7u); result = vec4(n.value);", in);
   for (std::size_t i = 0; i < out.size(); ++i) {
     ASSERT_NEAR(out[i].x, f64::simplex_noise(glm::ivec3(in[2 * i + 1]), glm::dvec3(in[2 * i]), 7U).value, 5e-4);
   }
@@ -62,10 +67,13 @@ TEST_P(OnGpu, NoiseFromAFarCell) {
 
 TEST_P(OnGpu, HeightFunctions) {
   const auto in = inputs([](test::Places& p) {
-    return std::pair(glm::vec4(p.between(-2.0, 2.0), std::pow(10.0, p.between(-2.0, 3.0)), p.between(-0.01, 1.01), p.between(0.0, 16.0)),
+    return std::pair(glm::vec4(p.between(-2.0, 2.0), std::pow(10.0, p.between(-2.0, 3.0)), p.between(-0.01, 1.01),
+                               p.between(0.0, 16.0)),
                      glm::vec4(0.0F));
   });
-  const auto out = test::run_on_gpu({"heights"}, "result = vec4(smooth_abs(a.x, a.y), height_power(a.z, 0.25, a.w), smooth_abs_slope(a.x, a.y), 0.0);", in);
+  const auto out = test::run_on_gpu(
+      {"heights"},
+      "result = vec4(smooth_abs(a.x, a.y), height_power(a.z, 0.25, a.w), smooth_abs_slope(a.x, a.y), 0.0);", in);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const glm::dvec4 a(in[2 * i]);
     ASSERT_NEAR(out[i].x, f64::smooth_abs(a.x, a.y), 64.0 * u * std::fabs(a.x));
@@ -77,13 +85,15 @@ TEST_P(OnGpu, HeightFunctions) {
 }
 
 TEST_P(OnGpu, TerrainHeight) {
-  const auto in = inputs([](test::Places& p) { return std::pair(glm::vec4(glm::vec3(p.on_sphere()), 0.0F), glm::vec4(0.0F)); });
-  const auto out = test::run_on_gpu(
-      {"noise", "heights"},
-      "Terrain t; t.height = 0.15; t.frequency = 1.3; t.octaves = 10; t.persistence = 0.5; t.lacunarity = 2.03; t.power = 2.1;"
-      "t.ridged = false; t.sharpness = 14.0; t.seed = 3u;"
-      "Height h = terrain_height_at(a.xyz, t, 0.0001); result = vec4(h.gradient, h.value);",
-      in);
+  const auto in =
+      inputs([](test::Places& p) { return std::pair(glm::vec4(glm::vec3(p.on_sphere()), 0.0F), glm::vec4(0.0F)); });
+  const auto out =
+      test::run_on_gpu({"noise", "heights"},
+                       "Terrain t; t.height = 0.15; t.frequency = 1.3; t.octaves = 10; t.persistence = 0.5; "
+                       "t.lacunarity = 2.03; t.power = 2.1;"
+                       "t.ridged = false; t.sharpness = 14.0; t.seed = 3u;"
+                       "Height h = terrain_height_at(a.xyz, t, 0.0001); result = vec4(h.gradient, h.value);",
+                       in);
   f64::Terrain t;
   t.height = double{0.15F};
   t.frequency = double{1.3F};
@@ -103,9 +113,11 @@ TEST_P(OnGpu, TerrainHeight) {
 
 TEST_P(OnGpu, Optics) {
   const auto in = inputs([](test::Places& p) {
-    return std::pair(glm::vec4(p.between(-0.1, 1.1), p.between(0.0, 1.0), p.between(0.0, 32.0), p.between(-1.0, 1.0)), glm::vec4(0.0F));
+    return std::pair(glm::vec4(p.between(-0.1, 1.1), p.between(0.0, 1.0), p.between(0.0, 32.0), p.between(-1.0, 1.0)),
+                     glm::vec4(0.0F));
   });
-  const auto out = test::run_on_gpu({"air"}, "result = vec4(schlick(a.x, a.y), fresnel_alpha(a.x, a.z), wrap_diffuse(a.w, a.y), 0.0);", in);
+  const auto out = test::run_on_gpu(
+      {"air"}, "result = vec4(schlick(a.x, a.y), fresnel_alpha(a.x, a.z), wrap_diffuse(a.w, a.y), 0.0);", in);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const glm::dvec4 a(in[2 * i]);
     ASSERT_NEAR(out[i].x, f64::schlick(a.x, a.y), 8.0 * u);
@@ -119,7 +131,8 @@ TEST_P(OnGpu, Optics) {
 
 TEST_P(OnGpu, Waves) {
   const auto in = inputs([](test::Places& p) {
-    return std::pair(glm::vec4(glm::vec3(p.on_sphere()), p.between(10.0, 300.0)), glm::vec4(glm::vec3(p.on_sphere()), p.between(-3.1, 3.1)));
+    return std::pair(glm::vec4(glm::vec3(p.on_sphere()), p.between(10.0, 300.0)),
+                     glm::vec4(glm::vec3(p.on_sphere()), p.between(-3.1, 3.1)));
   });
   const auto out = test::run_on_gpu(
       {"noise", "waves"},
@@ -146,8 +159,11 @@ TEST_P(OnGpu, Waves) {
 }
 
 TEST_P(OnGpu, ToneAndSrgb) {
-  const auto in = inputs([](test::Places& p) { return std::pair(glm::vec4(std::pow(10.0, p.between(-4.0, 4.0)), p.between(0.0, 1.0), 0.0, 0.0), glm::vec4(0.0F)); });
-  const auto out = test::run_on_gpu({"color"}, "result = vec4(tone_map(vec3(a.x), 0).x, srgb_encode(a.y), tone_map(vec3(a.x), 1).x, 0.0);", in);
+  const auto in = inputs([](test::Places& p) {
+    return std::pair(glm::vec4(std::pow(10.0, p.between(-4.0, 4.0)), p.between(0.0, 1.0), 0.0, 0.0), glm::vec4(0.0F));
+  });
+  const auto out = test::run_on_gpu(
+      {"color"}, "result = vec4(tone_map(vec3(a.x), 0).x, srgb_encode(a.y), tone_map(vec3(a.x), 1).x, 0.0);", in);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const glm::dvec4 a(in[2 * i]);
     ASSERT_NEAR(out[i].x, f64::filmic(a.x), 1e-5);

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <fstream>
+#include <glm/vec4.hpp>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <glm/vec4.hpp>
 
 #include "base/check.hpp"
 #include "gl/api.hpp"
@@ -40,7 +39,8 @@ inline std::string library(const std::vector<std::string>& names) {
 }
 
 inline GLuint shader(GLenum stage, const std::string& body) {
-  const std::string text = (gl::caps().es ? "#version 300 es\nprecision highp float; precision highp int;\n" : "#version 330 core\n") + body;
+  const std::string text =
+      (gl::caps().es ? "#version 300 es\nprecision highp float; precision highp int;\n" : "#version 330 core\n") + body;
   const GLuint name = glCreateShader(stage);
   const char* texts[] = {text.c_str()};
   glShaderSource(name, 1, texts, nullptr);
@@ -58,7 +58,8 @@ inline std::vector<glm::vec4> run_on_gpu(const std::vector<std::string>& librari
                                          const std::vector<glm::vec4>& inputs /* a, b, a, b, … */) {
   const std::string vertex = library(libraries) +
                              "layout(location = 0) in vec4 a;\nlayout(location = 1) in vec4 b;\nout vec4 outcome;\n"
-                             "void main() { vec4 result;\n" + body + "\noutcome = result; gl_Position = vec4(0.0); }\n";
+                             "void main() { vec4 result;\n" +
+                             body + "\noutcome = result; gl_Position = vec4(0.0); }\n";
   const GLuint program = glCreateProgram();
   glAttachShader(program, shader(GL_VERTEX_SHADER, vertex));
   glAttachShader(program, shader(GL_FRAGMENT_SHADER, "out vec4 c;\nvoid main() { c = vec4(0.0); }\n"));
@@ -75,10 +76,12 @@ inline std::vector<glm::vec4> run_on_gpu(const std::vector<std::string>& librari
   glGenVertexArrays(1, &array);
   glBindVertexArray(array);
   glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(inputs.size() * sizeof(glm::vec4)), inputs.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(inputs.size() * sizeof(glm::vec4)), inputs.data(),
+               GL_STATIC_DRAW);
   for (GLuint i = 0; i < 2; ++i) {
     glEnableVertexAttribArray(i);
-    glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, 2 * sizeof(glm::vec4), reinterpret_cast<const void*>(i * sizeof(glm::vec4)));
+    glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, 2 * sizeof(glm::vec4),
+                          reinterpret_cast<const void*>(i * sizeof(glm::vec4)));
   }
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   const auto bytes = static_cast<GLsizeiptr>(static_cast<std::size_t>(count) * sizeof(glm::vec4));

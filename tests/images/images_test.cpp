@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <random>
-
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
+#include <random>
 
 #include "app/still.hpp"
 #include "native/egl_context.hpp"
@@ -37,7 +36,8 @@ double psnr(const Image& a, const Image& b) {
 
 double largest_difference(const Image& a, const Image& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) largest = std::max(largest, std::fabs(double{a.pixels[i]} - double{b.pixels[i]}));
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    largest = std::max(largest, std::fabs(double{a.pixels[i]} - double{b.pixels[i]}));
   return largest;
 }
 
@@ -224,7 +224,9 @@ TEST(Extremes, OfEveryParameterGiveFinitePictures) {
   StillOptions tiny = small(16, 9);
   for (const Parameter& parameter : parameters()) {
     if (parameter.type != Type::Float && parameter.type != Type::Int) continue;
-    if (parameter.path == "quality.ground_texels" || parameter.path == "quality.cloud_texels" || parameter.path == "quality.pixel_error") continue;
+    if (parameter.path == "quality.ground_texels" || parameter.path == "quality.cloud_texels" ||
+        parameter.path == "quality.pixel_error")
+      continue;
     for (const double end : {parameter.min, parameter.max}) {
       Scene scene;
       scene.quality.ground_texels = 64;
@@ -277,7 +279,8 @@ TEST(Memory, OfTheDefaultSceneIsWithinItsBudget) {
   Studio studio;
   View view;  // 1280x720
   studio.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});
-  for (int i = 0; i < 40; ++i) studio.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});
+  for (int i = 0; i < 40; ++i)
+    studio.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});
   EXPECT_LE(studio.renderer.stats().gpu_bytes, 48'000'000);
   EXPECT_LE(studio.renderer.stats().programs.size(), 12U);
 }

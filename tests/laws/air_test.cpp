@@ -20,7 +20,9 @@ f64::Air air() {
 }
 
 // The cosine with which a ray that passes the centre at a distance meets the shell's edge.
-double cosine_at(double distance, double top) { return std::sqrt(std::fmax(0.0, 1.0 - distance * distance / (top * top))); }
+double cosine_at(double distance, double top) {
+  return std::sqrt(std::fmax(0.0, 1.0 - distance * distance / (top * top)));
+}
 
 TEST(FresnelAlpha, IsClearHeadOnAndOpaqueAlongTheEdge) {
   EXPECT_EQ(f64::fresnel_alpha(1.0, 3.0), 0.0);

@@ -32,7 +32,8 @@ TEST(FlowLayer, IsBoundedByItsAmplitudeAndWarpsOnlyLaterLayers) {
     glm::dvec3 warp(0.0), same(0.0);
     const double first = f64::flow_layer(d, 2.0, 0.7, 0.5, turn_by(0.3), 0, 1U, warp);
     EXPECT_LE(std::fabs(first), 0.7 * 1.02);
-    EXPECT_EQ(first, f64::flow_layer(d, 2.0, 0.7, 0.0, turn_by(0.3), 0, 1U, same));  // nothing before it to be stirred by
+    EXPECT_EQ(first,
+              f64::flow_layer(d, 2.0, 0.7, 0.0, turn_by(0.3), 0, 1U, same));  // nothing before it to be stirred by
     EXPECT_EQ(warp, same);
     // Without strength a later layer is the plain turned noise.
     const double plain = f64::flow_layer(d, 4.0, 0.35, 0.0, turn_by(0.6), 1, 1U, warp);

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
-#include <random>
-
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
+#include <random>
 
 namespace terrella::test {
 

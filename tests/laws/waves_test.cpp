@@ -47,7 +47,8 @@ glm::dvec3 surface(const std::vector<f64::Wave>& waves, const glm::dvec3& v) {
 glm::dvec3 normal_by_differences(const std::vector<f64::Wave>& waves, const glm::dvec3& v, const f64::Frame& frame) {
   const double h = 1e-5;
   const auto along = [&](const glm::dvec3& e) {
-    return (surface(waves, std::cos(h) * v + std::sin(h) * e) - surface(waves, std::cos(h) * v - std::sin(h) * e)) / (2.0 * h);
+    return (surface(waves, std::cos(h) * v + std::sin(h) * e) - surface(waves, std::cos(h) * v - std::sin(h) * e)) /
+           (2.0 * h);
   };
   return glm::cross(along(frame.east), along(frame.north));
 }

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "planet/icosphere_groups.hpp"
-#include "scene/presets.hpp"
 #include "scene/choices.hpp"
+#include "scene/presets.hpp"
 
 namespace terrella {
 namespace {
@@ -39,7 +39,8 @@ const Case cases[] = {
     {"no water", [](Scene& s) { s.water.model = choice("water.model", "none"); },
      [](const Needs& n) { return n.water == Water::none && !n.ripples; }},
     {"a sea of no depth", [](Scene& s) { s.water.level = 0.0; }, [](const Needs& n) { return n.water == Water::none; }},
-    {"waves asked for and seen", [](Scene& s) { s.waves.count = 8; }, [](const Needs& n) { return n.water == Water::waves; }},
+    {"waves asked for and seen", [](Scene& s) { s.waves.count = 8; },
+     [](const Needs& n) { return n.water == Water::waves; }},
     {"waves of no height",
      [](Scene& s) {
        s.waves.count = 8;
@@ -59,16 +60,23 @@ const Case cases[] = {
        s.water.model = choice("water.model", "waves");
      },
      [](const Needs& n) { return n.water == Water::waves; }},
-    {"calm asked for", [](Scene& s) { s.waves.count = 8; s.water.model = choice("water.model", "calm"); },
+    {"calm asked for",
+     [](Scene& s) {
+       s.waves.count = 8;
+       s.water.model = choice("water.model", "calm");
+     },
      [](const Needs& n) { return n.water == Water::calm; }},
     {"ripples off", [](Scene& s) { s.water.ripples = 0.0; }, [](const Needs& n) { return !n.ripples; }},
     {"ripples under two pixels", [](Scene& s) { s.water.ripple_frequency = 10000.0; },
      [](const Needs& n) { return !n.ripples; }},
     {"no clouds", [](Scene& s) { s.clouds.model = choice("clouds.model", "none"); },
      [](const Needs& n) { return n.clouds == Clouds::none && n.cloud_octaves == 0; }},
-    {"clouds of no coverage", [](Scene& s) { s.clouds.coverage = 0.0; }, [](const Needs& n) { return n.clouds == Clouds::none; }},
-    {"clouds of no density", [](Scene& s) { s.clouds.density = 0.0; }, [](const Needs& n) { return n.clouds == Clouds::none; }},
-    {"clouds of no octave", [](Scene& s) { s.clouds.octaves = 0; }, [](const Needs& n) { return n.clouds == Clouds::none; }},
+    {"clouds of no coverage", [](Scene& s) { s.clouds.coverage = 0.0; },
+     [](const Needs& n) { return n.clouds == Clouds::none; }},
+    {"clouds of no density", [](Scene& s) { s.clouds.density = 0.0; },
+     [](const Needs& n) { return n.clouds == Clouds::none; }},
+    {"clouds of no octave", [](Scene& s) { s.clouds.octaves = 0; },
+     [](const Needs& n) { return n.clouds == Clouds::none; }},
     {"cloud layers finer than their map are left out",
      [](Scene& s) {
        s.clouds.octaves = 10;
@@ -81,7 +89,8 @@ const Case cases[] = {
      [](const Needs& n) { return n.clouds == Clouds::shell && n.cloud_interval == 0.0; }},
     {"faster clouds are refreshed more often", [](Scene& s) { s.clouds.speed = 2.0; },
      [](const Needs& n) { return n.cloud_interval > 0.0 && n.cloud_interval < 0.05; }},
-    {"no air", [](Scene& s) { s.air.model = choice("air.model", "none"); }, [](const Needs& n) { return n.air == Air::none; }},
+    {"no air", [](Scene& s) { s.air.model = choice("air.model", "none"); },
+     [](const Needs& n) { return n.air == Air::none; }},
     {"air of no density", [](Scene& s) { s.air.density = 0.0; }, [](const Needs& n) { return n.air == Air::none; }},
     {"air of no height", [](Scene& s) { s.air.height = 0.0; }, [](const Needs& n) { return n.air == Air::none; }},
     {"no stars", [](Scene& s) { s.stars.density = 0.0; }, [](const Needs& n) { return n.stars == Stars::none; }},

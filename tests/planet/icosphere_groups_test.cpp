@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
-
-#include <glm/geometric.hpp>
 
 #include "laws/random_places.hpp"
 #include "planet/terrain.hpp"
@@ -20,7 +19,8 @@ namespace {
 std::vector<glm::vec3> hills(const Icosphere& sphere, int level) {
   const f32::Terrain terrain = terrain_of(Scene());
   std::vector<glm::vec3> positions;
-  for (const glm::dvec3& d : sphere.directions) positions.emplace_back(d * ground_radius(terrain, d, icosphere_edge(level)));
+  for (const glm::dvec3& d : sphere.directions)
+    positions.emplace_back(d * ground_radius(terrain, d, icosphere_edge(level)));
   return positions;
 }
 
@@ -58,7 +58,8 @@ TEST(VisibleGroups, LeaveOutWhatLiesBesideThePictureAndNothingInIt) {
   const std::vector<float> tops(group_count, 1.1F);
   for (int i = 0; i < 60; ++i) {
     const Sight sight = {(i % 2 == 0 ? 1.2 : 3.0) * places.on_sphere(), places.on_sphere(), 0.4};
-    const std::vector<std::uint32_t> all = visible_groups({sight.eye}, 1.0, tops), seen = visible_groups(sight, 1.0, tops);
+    const std::vector<std::uint32_t> all = visible_groups({sight.eye}, 1.0, tops),
+                                     seen = visible_groups(sight, 1.0, tops);
     EXPECT_LT(seen.size(), all.size());
     for (const std::uint32_t g : all) {
       bool inside = false;
@@ -132,7 +133,8 @@ TEST(Simplified, KeepsToItsTolerance) {
         if (used[v]) continue;
         // How far the vertex stands off the plane of the triangle that its direction passes through.
         for (std::size_t t = triangles.starts[g]; t < triangles.starts[g + 1]; ++t) {
-          const std::array<glm::dvec3, 3> p = {positions[triangles.indices[3 * t]], positions[triangles.indices[3 * t + 1]],
+          const std::array<glm::dvec3, 3> p = {positions[triangles.indices[3 * t]],
+                                               positions[triangles.indices[3 * t + 1]],
                                                positions[triangles.indices[3 * t + 2]]};
           const glm::dvec3 d = glm::normalize(glm::dvec3(positions[v]));
           const double inside = std::min({glm::dot(d, glm::cross(p[0], p[1])), glm::dot(d, glm::cross(p[1], p[2])),

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
-
-#include <glm/geometric.hpp>
 
 #include "laws/random_places.hpp"
 
@@ -28,7 +27,7 @@ TEST(Icosphere, IsClosedWithoutACrack) {
     for (std::size_t k = 0; k < 3; ++k) ++edges[{sphere.indices[i + k], sphere.indices[i + (k + 1) % 3]}];
   }
   // Each edge is walked once in each direction: two triangles share it, and both face the same way.
-  for (const auto& [edge, count] : edges) {
+  for (const auto &[edge, count] : edges) {
     EXPECT_EQ(count, 1);
     EXPECT_EQ(edges.count({edge.second, edge.first}), 1U);
   }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
@@ -121,7 +120,9 @@ TEST(PixelOfHeight, IsTheMostThatARadialChangeMayBe) {
     double most = 0.0;
     for (int i = 1; i < 20000; ++i) {
       const double angle = std::acos(1.0 / d) * i / 20000.0;
-      const auto seen_at = [&](double radius) { return std::atan2(radius * std::sin(angle), d - radius * std::cos(angle)); };
+      const auto seen_at = [&](double radius) {
+        return std::atan2(radius * std::sin(angle), d - radius * std::cos(angle));
+      };
       most = std::max(most, seen_at(1.0 + moved) - seen_at(1.0));
     }
     EXPECT_NEAR(most / (1e-3 * pose.pixel_angle), 1.0, 0.01) << altitude;

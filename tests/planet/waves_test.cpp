@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-
 #include <glm/geometric.hpp>
 
 namespace terrella {
@@ -16,7 +15,8 @@ Scene stormy(int count) {
 }
 
 TEST(Sea, HasAsManyWavesAsAsked) {
-  for (const int count : {0, 1, 8, 100}) EXPECT_EQ(make_sea(stormy(count), 0.0).waves.size(), static_cast<std::size_t>(count));
+  for (const int count : {0, 1, 8, 100})
+    EXPECT_EQ(make_sea(stormy(count), 0.0).waves.size(), static_cast<std::size_t>(count));
   Scene flat = stormy(8);
   flat.waves.amplitude = 0.0;
   EXPECT_TRUE(make_sea(flat, 0.0).waves.empty());
@@ -44,7 +44,14 @@ TEST(Sea, NeverFoldsAndSaysWhenItWasHeld) {
       EXPECT_EQ(sea.held, sea.steepness < steepness);
     }
   }
-  EXPECT_TRUE(make_sea([] { Scene s = stormy(20); s.waves.length = 1e-3; return s; }(), 0.0).held);
+  EXPECT_TRUE(make_sea(
+                  [] {
+                    Scene s = stormy(20);
+                    s.waves.length = 1e-3;
+                    return s;
+                  }(),
+                  0.0)
+                  .held);
 }
 
 TEST(Sea, PhasesStayWithinATurnAndExactAfterThirtyYears) {
@@ -56,7 +63,8 @@ TEST(Sea, PhasesStayWithinATurnAndExactAfterThirtyYears) {
     // A hundredth of a second moves the phase by what it did in the first second.
     const Sea early = make_sea(scene, 0.0), early_later = make_sea(scene, 0.01);
     const double step = std::remainder(double{later.waves[i].phase} - double{late.waves[i].phase}, 6.283185307179586);
-    const double first = std::remainder(double{early_later.waves[i].phase} - double{early.waves[i].phase}, 6.283185307179586);
+    const double first =
+        std::remainder(double{early_later.waves[i].phase} - double{early.waves[i].phase}, 6.283185307179586);
     EXPECT_NEAR(step, first, 2e-5);
   }
 }
@@ -67,7 +75,8 @@ TEST(Sea, SpreadDecidesHowFarDirectionsDiffer) {
   wild.waves.spread = 1.0;
   const auto closest = [](const Sea& sea) {
     double least = 1.0;
-    for (const f32::Wave& wave : sea.waves) least = std::fmin(least, double{glm::dot(wave.origin, sea.waves[0].origin)});
+    for (const f32::Wave& wave : sea.waves)
+      least = std::fmin(least, double{glm::dot(wave.origin, sea.waves[0].origin)});
     return least;
   };
   EXPECT_GT(closest(make_sea(combed, 0.0)), 0.9999);
