@@ -72,5 +72,11 @@ file(WRITE ${OUT}/formulas.hpp "// Made from shaders/lib by cmake/formulas.cmake
 #include <glm/glm.hpp>
 ")
 write_namespace(f32 float "")
+file(APPEND ${OUT}/formulas.hpp "
+// In double precision angles are exact (lib/angles.glsl).
+#define TERRELLA_DOUBLE
+")
 write_namespace(f64 double "d")
+file(APPEND ${OUT}/formulas.hpp "#undef TERRELLA_DOUBLE
+")
 file(WRITE ${OUT}/formulas.cpp "#include \"formulas/formulas.hpp\"\n")

@@ -19,17 +19,20 @@ vec3 fine_gradient(vec3 offset, float footprint) {
   float texel = ground_map_scale.x;
   float enters = 1.0 - smoothstep(0.4, 0.6, footprint / texel);
   vec3 sum = vec3(0.0);
-  int end = int(ground_map_scale.z);
-  for (int i = int(ground_map_scale.y); i < end; ++i) {
+  int first = int(ground_map_scale.y), end = int(ground_map_scale.z);
+  float amplitude = enters * pow(terrain_persistence, float(first));
+  for (int i = first; i < end; ++i) {
     float frequency = layer_place[i].w;
-    float shown = layer_weight(frequency, footprint) - layer_weight(frequency, texel);
-    if (shown <= 0.0) continue;
+    float weight = layer_weight(frequency, footprint);
+    if (weight <= 0.0) break;  // and so is that of all finer layers
     vec3 q = layer_place[i].xyz + frequency * from_anchor;
     Noise n = simplex_noise(layer_cell[i].xyz, q, layer_seed(i, seed));
     float slope = layer_slope(n.value, terrain_ridged != 0, terrain_ridge_sharpness);
-    sum += pow(terrain_persistence, float(i)) * shown * frequency * slope * n.gradient;
+    float shown = max(weight - layer_weight(frequency, texel), 0.0);
+    sum += amplitude * shown * frequency * slope * n.gradient;
+    amplitude *= terrain_persistence;
   }
-  return enters * sum;
+  return sum;
 }
 
 // The sum of all amplitudes, by which the sum of layers is divided.

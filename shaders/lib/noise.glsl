@@ -44,9 +44,8 @@ vec3 hash_direction(uint h) {
   float y = float(int(h >> 16)) * (1.0 / 32767.5) - 1.0;
   float z = 1.0 - abs(x) - abs(y);
   float fold = max(-z, 0.0);
-  x += x >= 0.0 ? -fold : fold;
-  y += y >= 0.0 ? -fold : fold;
-  return normalize(vec3(x, y, z));
+  // No fold is longer than x or y: both move towards 0 by fold.
+  return normalize(vec3(x - clamp(x, -fold, fold), y - clamp(y, -fold, fold), z));
 }
 
 // What one corner of a simplex adds: offset runs from the corner to the place, direction is the corner's gradient.

@@ -1,5 +1,6 @@
 // Trochoidal waves on a sphere (Sandahl 2022, equations 14 to 16; Michelic 2018, 7 to 11), in planet radii, on the unit
 // sphere. Directions are unit tangents, which the printed (15) is not, and the normal is exact, which (16) is not.
+#include "lib/angles.glsl"
 
 struct Wave {
   vec3 origin;       // unit vector to the place that the wave comes from
@@ -43,26 +44,27 @@ WaveSum no_waves() {
 void add_wave(inout WaveSum sum, vec3 v, Frame frame, Wave wave, float weight) {
   float cosine = dot(v, wave.origin);
   vec2 toward = vec2(dot(wave.origin, frame.east), dot(wave.origin, frame.north));
-  float sine = length(toward);
-  if (sine < 1.0e-6 || weight <= 0.0) return;
-  vec2 d = -toward / sine;
-  float lengths = sine * wave.wavenumber / 6.283185307179586;
-  float x = clamp(lengths - 0.25, 0.0, 1.0);
+  // Where the direction is undefined the wave has faded.
+  float per_sine = inversesqrt(max(dot(toward, toward), 1.0e-12));
+  float sine = dot(toward, toward) * per_sine;
+  vec2 d = -per_sine * toward;
+  float per_length = wave.wavenumber * 0.15915494309189535;
+  float x = clamp(sine * per_length - 0.25, 0.0, 1.0);
   float fade = weight * x * x * (3.0 - 2.0 * x);
-  float fade_slope = weight * 6.0 * x * (1.0 - x) * cosine * wave.wavenumber / 6.283185307179586;
-  float angle = wave.wavenumber * atan(sine, cosine) + wave.phase;
-  float s = sin(angle);
-  float c = cos(angle);
+  float fade_slope = weight * 6.0 * x * (1.0 - x) * cosine * per_length;
+  vec2 turn = cos_sin(wave.wavenumber * arc(sine, cosine) + wave.phase);
   float pinch = fade * wave.pinch;
-  sum.height += fade * wave.amplitude * s;
-  sum.shift += pinch * c * d;
-  sum.slope += (wave.amplitude * (fade * wave.wavenumber * c + fade_slope * s) - pinch * c) * d;
-  float along = fade_slope * wave.pinch * c - pinch * wave.wavenumber * s;
-  float across = pinch * c * cosine / sine;
-  sum.stretch_ee += along * d.x * d.x + across * d.y * d.y;
-  sum.stretch_en += (along - across) * d.x * d.y;
-  sum.stretch_ne += (along - across) * d.x * d.y;
-  sum.stretch_nn += along * d.y * d.y + across * d.x * d.x;
+  float sway = pinch * turn.x;
+  sum.height += fade * wave.amplitude * turn.y;
+  sum.shift += sway * d;
+  sum.slope += (wave.amplitude * (fade * wave.wavenumber * turn.x + fade_slope * turn.y) - sway) * d;
+  float along = fade_slope * wave.pinch * turn.x - pinch * wave.wavenumber * turn.y;
+  float across = sway * cosine * per_sine;
+  vec2 skew = (along - across) * d.x * d;
+  sum.stretch_ee += across + skew.x;
+  sum.stretch_en += skew.y;
+  sum.stretch_ne += skew.y;
+  sum.stretch_nn += along - skew.x;
 }
 
 // Multiplies the whole sum by a factor that itself changes along east and north (shallow water holds waves back).

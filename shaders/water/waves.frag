@@ -14,7 +14,7 @@ void main() {
   vec3 n = wave_normal(sum);
   float crest = 1.0 - smoothstep(0.25, 0.75, n.z);
   n = normalize(n);
-  float rise = sum.height / max(0.25 * sea.w, 1.0e-9);  // in amplitudes
+  float rise = sum.height * planet_radius / max(waves_amplitude, 1.0e-9);  // in amplitudes
 
   Water w;
   w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);

@@ -19,6 +19,13 @@ glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dv
 // An angle (rad) that grows with time without end, reduced to one turn before it is rounded.
 double turned(double speed, double seconds) { return std::remainder(speed * seconds, 2.0 * std::numbers::pi); }
 
+// Depth (planet radii) from which waves no longer feel the ground: a few of their heights, and so deep that at a place
+// of less depth no trough reaches down to the ground. Waves are held by smoothstep(0, shoal, depth), which at a depth d
+// is at most 9/8 d / shoal.
+double shoal_of(const Frame& frame) {
+  return std::max(4.0 * frame.scene.waves.amplitude / frame.scene.planet.radius, 1.125 * frame.sea.highest) + 1e-6;
+}
+
 }  // namespace
 
 Sight sight_of(const Frame& frame) {
@@ -33,8 +40,13 @@ double solid_radius(const Needs& needs) {
 
 RadiusRange water_range(const Frame& frame) {
   if (frame.needs.water == Water::none) return {};
-  const double level = water_radius(frame.scene) + frame.needs.water_lift;
-  return {(level - frame.sea.highest) * (1.0 - icosphere_sag(frame.needs.water_level)), level + frame.sea.highest};
+  const double waves = frame.sea.highest;
+  return {lowest_still_water(frame) - waves, water_radius(frame.scene) + frame.needs.water_lift + waves};
+}
+
+double lowest_still_water(const Frame& frame) {
+  if (frame.needs.water == Water::none) return 0.0;
+  return (water_radius(frame.scene) + frame.needs.water_lift) * (1.0 - icosphere_sag(frame.needs.water_level));
 }
 
 double map_level(const Frame& frame, double radius, double texel) {
@@ -68,10 +80,8 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.cloud_turn =
       glm::vec4(std::cos(drift), std::sin(drift), maps.cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
   block.cloud_moments = vector(maps.cloud_moments);
-  // Waves feel the ground where the water is a few of their heights deep.
-  const double shoal = 4.0 * scene.waves.amplitude / radius + 1e-6;
   block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest,
-                        static_cast<double>(sea.waves.size()), shoal);
+                        static_cast<double>(sea.waves.size()), shoal_of(frame));
   block.ripple = glm::vec4(needs.ripples ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
                            needs.air == Air::none ? 0.0 : 1.0, 0.0);
   const double turn = turned(scene.water.ripple_speed, view.seconds);

@@ -57,6 +57,9 @@ double solid_radius(const Needs& needs);
 // Between which radii the water is drawn, troughs and the dips of flat triangles included; 0 and 0 where there is none.
 RadiusRange water_range(const Frame& frame);
 
+// The lowest that the water's flat triangles would lie without waves, planet radii; 0 where there is none.
+double lowest_still_water(const Frame& frame);
+
 // The maps that passes read, as they are for a frame.
 struct Maps {
   double ground_texel = texel_angle(1);  // distance of the texels of the map of the ground, rad

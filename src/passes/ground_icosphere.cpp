@@ -126,12 +126,14 @@ void GroundIcosphere::draw(const Frame& frame) {
   }
   const RadiusRange water = water_range(frame);
   const double lowest = std::min_element(surface.ranges.begin(), surface.ranges.end(), lower)->lowest;
-  // Seen from above, water hides what lies under it.
+  // Seen from above, water hides what lies under it, troughs included: where they are deep, the ground is deeper
+  // (shoal_of).
+  const double still_water = lowest_still_water(frame);
   const bool above_water = glm::length(frame.pose.eye) > water.highest;
   std::vector<float> tops;
   tops.reserve(group_count);
   for (const RadiusRange& range : surface.ranges) {
-    tops.push_back(above_water && range.highest < water.lowest ? 0.0F : static_cast<float>(range.highest));
+    tops.push_back(above_water && range.highest < still_water ? 0.0F : static_cast<float>(range.highest));
   }
   surface.mesh.draw(visible_groups(sight_of(frame), std::max(lowest, water.lowest), tops));
 }

@@ -2,6 +2,8 @@
 // in the last place of single precision; bounds are those that each formula's form allows.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
 
@@ -47,6 +49,31 @@ TEST(SinglePrecision, SmoothAbs) {
     const float k = rounded(std::pow(10.0, places.between(-2.0, 3.0)));
     ASSERT_NEAR(f32::smooth_abs(x, k), f64::smooth_abs(exact(x), exact(k)), 8.0 * u * std::fabs(exact(x)));
   }
+}
+
+// In double precision these are the library's, so this holds the polynomials to the true functions.
+TEST(SinglePrecision, CosineAndSineOfAnAngle) {
+  Places places(20U);
+  for (int i = 0; i < tries; ++i) {
+    const float angle = rounded(places.between(-1.0, 1.0) * std::pow(10.0, places.between(-6.0, 4.0)));
+    const glm::dvec2 expected = f64::cos_sin(exact(angle));
+    // Reducing the angle to a turn rounds it three times; beyond that, 3.5e-7 is the most of five million.
+    ASSERT_LT(glm::distance(glm::dvec2(f32::cos_sin(angle)), expected), 4e-7 + 3.0 * u * std::fabs(exact(angle)))
+        << angle;
+  }
+}
+
+TEST(SinglePrecision, ArcOfASineAndACosine) {
+  Places places(21U);
+  for (int i = 0; i < tries; ++i) {
+    const double angle = std::numbers::pi * std::pow(10.0, places.between(-6.0, 0.0));
+    const float sine = rounded(std::sin(angle)), cosine = rounded(std::cos(angle));
+    // The most of five million: 3.0e-7.
+    ASSERT_NEAR(f32::arc(sine, cosine), f64::arc(exact(sine), exact(cosine)), 4e-7 * angle) << angle;
+  }
+  EXPECT_EQ(f32::arc(0.0F, 1.0F), 0.0F);
+  EXPECT_NEAR(f32::arc(0.0F, -1.0F), std::numbers::pi, 4e-7);
+  EXPECT_NEAR(f32::arc(1.0F, 0.0F), 0.5 * std::numbers::pi, 4e-7);
 }
 
 TEST(SinglePrecision, HeightPower) {
