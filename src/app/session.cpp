@@ -196,7 +196,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
     update_pushes();
   }
   advance_clock(elapsed);
-  const bool panel_wanted = panel_shown_ && (panel_frames_ > 0 || planet_stale_);
+  // The planet is shown first: a panel's font and programs would keep it waiting.
+  const bool panel_wanted = panel_shown_ && frames_ > 0 && (panel_frames_ > 0 || planet_stale_);
   if (panel_wanted) run_panel();
   if (!panel_shown_) ImGui::GetIO().ClearEventsQueue();  // which nobody reads
   const bool refining = frames_ > 0 && !renderer_->settled() && !hand_on_value_;
@@ -208,7 +209,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   if (turn.drawn) {
     renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
-    if (panel_shown_) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    ImDrawData* panel = ImGui::GetDrawData();  // none until the panel has run
+    if (panel_shown_ && panel != nullptr) ImGui_ImplOpenGL3_RenderDrawData(panel);
     if (panel_frames_ > 0) --panel_frames_;
   }
   const bool clock_runs = !paused_ && renderer_->needs().moving;

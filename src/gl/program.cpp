@@ -53,15 +53,17 @@ Program::Program(std::string_view name, std::string_view vertex) : listed_(std::
 }
 
 bool Program::ready() {
-  if (finished_) return true;
-  if (caps().parallel_compile) {
-    const GLenum completion_status = 0x91B1;
-    GLint done = GL_FALSE;
-    glGetProgramiv(id(), completion_status, &done);
-    if (done == GL_FALSE) return false;
+  if (finished_ || linked_) return true;
+  if (!caps().parallel_compile) {
+    finish();
+    return true;
   }
-  finish();
-  return true;
+  const GLenum completion_status = 0x91B1;
+  GLint done = GL_FALSE;
+  glGetProgramiv(id(), completion_status, &done);
+  // What is left to ask would wait for the other programs: it is asked when this one is used.
+  linked_ = done != GL_FALSE;
+  return linked_;
 }
 
 void Program::use() {

@@ -34,7 +34,8 @@ class Program {
 
   ListedProgram listed_;
   ProgramHandle handle_;
-  bool finished_ = false;
+  bool linked_ = false;
+  bool finished_ = false;  // asked what it needs, and told where blocks and textures are
 };
 
 // Texture units and uniform blocks have the same place in every program.

@@ -23,18 +23,30 @@ bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.low
 
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
-bool GroundIcosphere::ready(const Needs& needs) {
+GroundIcosphere::Key GroundIcosphere::key_of(const Scene& scene, const Needs& needs) {
+  const double water_level = has_water(scene) ? scene.water.level : 0.0;
+  return {scene.planet, scene.terrain, water_level, needs.ground_level, needs.ground_texels};
+}
+
+void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {
+  const Key key = key_of(scene, needs);
+  if (key_ == key || begun_key_ == key) return;
+  begun_key_ = key;
+  std::vector<glm::vec3> positions;
+  displace(scene, coarse_level, spheres_.geometry(coarse_level).directions.size(), positions);
+  begun_.emplace(make_surface(needs.ground_tolerance, coarse_level, std::move(positions)));
+}
+
+void GroundIcosphere::want(const Needs& needs) {
   draw_program_.want(shows_fine_layers(needs) ? "ground/icosphere_near" : "ground/icosphere");
-  return bake_program_.ready() && draw_program_.ready();
 }
 
 void GroundIcosphere::update(const Frame& frame) {
   noise_evaluations_ = 0;
-  const Scene& scene = frame.scene;
-  const Key key = {scene.planet, scene.terrain, has_water(scene) ? scene.water.level : 0.0, frame.needs.ground_level,
-                   frame.needs.ground_texels};
+  const Key key = key_of(frame.scene, frame.needs);
   const bool changed = !key_ || *key_ != key;
   if (changed) {
+    if (frame.effort != Effort::complete) begin(frame.scene, frame.needs);
     key_ = key;
     coarse_done_ = fine_done_ = false;
     fine_positions_.clear();
@@ -49,10 +61,8 @@ void GroundIcosphere::update(const Frame& frame) {
   }
 }
 
-GroundIcosphere::Surface GroundIcosphere::make_surface(const Frame& frame, int level,
-                                                       std::vector<glm::vec3> positions) {
+GroundIcosphere::Surface GroundIcosphere::make_surface(double tolerance, int level, std::vector<glm::vec3> positions) {
   const Icosphere& sphere = spheres_.geometry(level);
-  const double tolerance = frame.needs.ground_tolerance;
   GroupedMesh mesh(positions, simplified(sphere, positions, tolerance));
   std::vector<RadiusRange> ranges = radius_ranges(sphere, positions);
   return {level, std::move(positions), std::move(ranges), std::move(mesh), tolerance};
@@ -62,10 +72,9 @@ void GroundIcosphere::make_coarse(const Frame& frame) {
   if (!coarse_map_) coarse_map_ = std::make_unique<gl::CubeMap>(coarse_ground_texels, gl::Format::rgba16f);
   coarse_bake_.restart();
   bake(frame, coarse_bake_, *coarse_map_, CubeBake::rows(*coarse_map_));
-  const Icosphere& sphere = spheres_.geometry(coarse_level);
-  std::vector<glm::vec3> positions;
-  displace(frame, sphere, coarse_level, sphere.directions.size(), positions);
-  coarse_.emplace(make_surface(frame, coarse_level, std::move(positions)));
+  begun_key_.reset();
+  coarse_ = std::exchange(begun_, {});
+  noise_evaluations_ += static_cast<std::int64_t>(coarse_->positions.size()) * frame.scene.terrain.octaves;
   coarse_done_ = true;
 }
 
@@ -83,11 +92,13 @@ void GroundIcosphere::advance_fine(const Frame& frame) {
   if (fine_positions_.size() < sphere.directions.size()) {
     const auto share = static_cast<std::size_t>(mesh_noise_a_frame / octaves);
     const std::size_t end = at_once ? sphere.directions.size() : fine_positions_.size() + share;
-    displace(frame, sphere, key_->level, std::min(end, sphere.directions.size()), fine_positions_);
+    const std::size_t before = fine_positions_.size();
+    displace(frame.scene, key_->level, std::min(end, sphere.directions.size()), fine_positions_);
+    noise_evaluations_ += static_cast<std::int64_t>(fine_positions_.size() - before) * octaves;
   }
   const bool all_there = fine_positions_.size() == sphere.directions.size();
   if (fine_bake_.done(*fine_map_) && all_there) {
-    fine_.emplace(make_surface(frame, key_->level, std::exchange(fine_positions_, {})));
+    fine_.emplace(make_surface(frame.needs.ground_tolerance, key_->level, std::exchange(fine_positions_, {})));
     fine_done_ = true;
   }
 }
@@ -98,13 +109,12 @@ void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map,
   noise_evaluations_ += bake.advance(bake_program_, map, rows) * frame.scene.terrain.octaves;
 }
 
-void GroundIcosphere::displace(const Frame& frame, const Icosphere& sphere, int level, std::size_t end,
-                               std::vector<glm::vec3>& positions) {
-  const f32::Terrain terrain = terrain_of(frame.scene);
+void GroundIcosphere::displace(const Scene& scene, int level, std::size_t end, std::vector<glm::vec3>& positions) {
+  const std::vector<glm::dvec3>& directions = spheres_.geometry(level).directions;
+  const f32::Terrain terrain = terrain_of(scene);
   const double edge = icosphere_edge(level);
-  noise_evaluations_ += static_cast<std::int64_t>(end - positions.size()) * terrain.octaves;
   while (positions.size() < end) {
-    const glm::dvec3& direction = sphere.directions[positions.size()];
+    const glm::dvec3& direction = directions[positions.size()];
     positions.emplace_back(direction * ground_radius(terrain, direction, edge));
   }
 }

@@ -19,8 +19,13 @@ class GroundIcosphere {
  public:
   explicit GroundIcosphere(SphereMeshes& spheres);
 
-  // Asks for the programs that the needs call for; true once drawing will not wait for them.
-  bool ready(const Needs& needs);
+  // Makes the scene's coarse mesh, if it has not, for the next update: work that can be done while programs compile.
+  void begin(const Scene& scene, const Needs& needs);
+
+  // Starts to compile the programs that the needs call for.
+  void want(const Needs& needs);
+  // True once drawing will not wait for them.
+  bool ready() { return bake_program_.ready() && draw_program_.ready(); }
 
   // Brings mesh and map up to date, as far as the frame's effort allows. Needs the scene's uniform block.
   void update(const Frame& frame);
@@ -57,14 +62,14 @@ class GroundIcosphere {
     double tolerance;  // within which its triangles keep to the positions, radii
   };
 
+  static Key key_of(const Scene& scene, const Needs& needs);
   [[nodiscard]] const Surface& drawn() const { return fine_done_ ? *fine_ : *coarse_; }
-  Surface make_surface(const Frame& frame, int level, std::vector<glm::vec3> positions);
+  Surface make_surface(double tolerance, int level, std::vector<glm::vec3> positions);
   void make_coarse(const Frame& frame);
   void advance_fine(const Frame& frame);
   void bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows);
   // Computes the vertices from the number made so far up to an end.
-  void displace(const Frame& frame, const Icosphere& sphere, int level, std::size_t end,
-                std::vector<glm::vec3>& positions);
+  void displace(const Scene& scene, int level, std::size_t end, std::vector<glm::vec3>& positions);
 
   SphereMeshes& spheres_;
   gl::Program bake_program_{"ground/bake", "picture/cube_face"};
@@ -72,6 +77,8 @@ class GroundIcosphere {
   gl::UniformBuffer layers_;
   std::optional<Key> key_;
   std::optional<Surface> coarse_, fine_;
+  std::optional<Key> begun_key_;
+  std::optional<Surface> begun_;  // coarse, of begun_key_, not yet drawn
   std::unique_ptr<gl::CubeMap> coarse_map_, fine_map_;
   CubeBake coarse_bake_, fine_bake_;
   std::vector<glm::vec3> fine_positions_;

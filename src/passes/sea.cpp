@@ -29,9 +29,8 @@ WaveBlock wave_block(const Sea& sea) {
 SeaPass::SeaPass(Water technique, SphereMeshes& spheres)
     : spheres_(spheres), program_(technique == Water::calm ? "water/calm" : "water/waves") {}
 
-bool SeaPass::ready(const Needs& needs) {
+void SeaPass::want(const Needs& needs) {
   program_.want(needs.water == Water::waves ? "water/waves" : needs.ripples ? "water/rippled" : "water/calm");
-  return program_.ready();
 }
 
 void SeaPass::draw(const Frame& frame, std::span<const RadiusRange> ground) {

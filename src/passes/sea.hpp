@@ -16,8 +16,10 @@ class SeaPass {
   // technique: calm or waves.
   SeaPass(Water technique, SphereMeshes& spheres);
 
-  // Asks for the program that the needs call for; true once drawing will not wait for it.
-  bool ready(const Needs& needs);
+  // Starts to compile the program that the needs call for.
+  void want(const Needs& needs);
+  // True once drawing will not wait for it.
+  bool ready() { return program_.ready(); }
 
   // ground: over each group of the icosphere; empty where there is no ground. Where it stands out of the water whole,
   // no water is drawn.

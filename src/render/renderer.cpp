@@ -65,17 +65,26 @@ Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::For
 double Renderer::prepare(const Scene& scene, const View& view) {
   pose_ = pose_of(scene, view);
   needs_ = needs_of(scene, view, pose_);
-  return choose_techniques();
+  choose_techniques();
+  // The driver compiles meanwhile; to ask it for anything is to wait for it.
+  if (ground_) ground_->begin(scene, needs_);
+  if (water_) spheres_.directions(needs_.water_level);
+  return ready();
 }
 
-double Renderer::choose_techniques() {
+void Renderer::choose_techniques() {
   ground_.choose(needs_.ground, spheres_);
   water_.choose(needs_.water, needs_.water, spheres_);
   clouds_.choose(needs_.clouds, spheres_);
   air_.choose(needs_.air);
   stars_.choose(needs_.stars);
-  const bool ready[] = {picture_.ready(), ground_.ready(needs_), water_.ready(needs_),
-                        air_.ready(),     stars_.ready(),        clouds_.ready()};
+  if (ground_) ground_->want(needs_);
+  if (water_) water_->want(needs_);
+}
+
+double Renderer::ready() {
+  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(),
+                        air_.ready(),     stars_.ready(),  clouds_.ready()};
   return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
 }
 

@@ -60,8 +60,10 @@ class Renderer {
   [[nodiscard]] RenderStats stats() const;
 
  private:
-  // Builds what the needs call for; returns which part of it is ready.
-  double choose_techniques();
+  // Builds what the needs call for.
+  void choose_techniques();
+  // Which part of it is ready.
+  double ready();
   void update_slots(const Frame& frame);
   void begin_light(const View& view, const Shot& shot);
   void set_maps(const Frame& frame);

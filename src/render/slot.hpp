@@ -23,10 +23,7 @@ class Slot {
   const Technique* operator->() const { return &*technique_; }
 
   // An empty slot is ready.
-  template <class... Arguments>
-  bool ready(Arguments&&... arguments) {
-    return !technique_ || technique_->ready(std::forward<Arguments>(arguments)...);
-  }
+  bool ready() { return !technique_ || technique_->ready(); }
 
  private:
   Kind kind_ = Kind::none;
