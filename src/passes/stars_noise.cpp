@@ -33,8 +33,10 @@ void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Key key = {frame.scene.stars.density, frame.scene.stars.seed};
   if (key_ == key) return;
-  // The search takes as long as a frame: the very first picture comes without stars.
+  // The search takes as long as a frame: the very first picture comes without stars, and does not wait for their
+  // program.
   if (frame.effort != Effort::complete && !key_ && !std::exchange(awaited_, true)) return;
+  if (!program_) program_.emplace("stars/noise");
   key_ = key;
   StarSky sky = find_stars(frame.scene);
   noise_evaluations_ = sky.noise_evaluations;
@@ -61,9 +63,10 @@ void StarsNoise::choose(const Frame& frame) {
 }
 
 void StarsNoise::draw(const Frame& frame) {
+  if (!program_) return;
   choose(frame);
-  program_.use();
-  program_.set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
+  program_->use();
+  program_->set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
   squares_.draw();
 }
 

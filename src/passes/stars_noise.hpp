@@ -13,7 +13,7 @@ namespace terrella {
 
 class StarsNoise {
  public:
-  bool ready() { return program_.ready(); }
+  bool ready() { return !program_ || program_->ready(); }
   void update(const Frame& frame);
   void draw(const Frame& frame);
   [[nodiscard]] bool settled() const { return key_.has_value(); }
@@ -28,7 +28,7 @@ class StarsNoise {
     bool operator==(const Key&) const = default;
   };
 
-  gl::Program program_{"stars/noise"};
+  std::optional<gl::Program> program_;
   std::optional<Key> key_;
   bool awaited_ = false;  // a frame has gone by without them
   std::vector<Star> stars_;
