@@ -1,5 +1,6 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
+
+#include <CLI/CLI.hpp>
 
 #include "native/cmd_manual.hpp"
 #include "native/cmd_presets.hpp"

@@ -7,69 +7,39 @@ namespace terrella {
 
 Key key_of_glfw(int code) {
   switch (code) {
-    case GLFW_KEY_LEFT:
-      return Key::left;
-    case GLFW_KEY_RIGHT:
-      return Key::right;
-    case GLFW_KEY_UP:
-      return Key::up;
-    case GLFW_KEY_DOWN:
-      return Key::down;
-    case GLFW_KEY_PAGE_UP:
-      return Key::page_up;
-    case GLFW_KEY_PAGE_DOWN:
-      return Key::page_down;
-    case GLFW_KEY_HOME:
-      return Key::home;
-    case GLFW_KEY_END:
-      return Key::end;
+    case GLFW_KEY_LEFT: return Key::left;
+    case GLFW_KEY_RIGHT: return Key::right;
+    case GLFW_KEY_UP: return Key::up;
+    case GLFW_KEY_DOWN: return Key::down;
+    case GLFW_KEY_PAGE_UP: return Key::page_up;
+    case GLFW_KEY_PAGE_DOWN: return Key::page_down;
+    case GLFW_KEY_HOME: return Key::home;
+    case GLFW_KEY_END: return Key::end;
     case GLFW_KEY_EQUAL:  // where plus is, unshifted, on many keyboards
-    case GLFW_KEY_KP_ADD:
-      return Key::plus;
+    case GLFW_KEY_KP_ADD: return Key::plus;
     case GLFW_KEY_MINUS:
-    case GLFW_KEY_KP_SUBTRACT:
-      return Key::minus;
-    case GLFW_KEY_SPACE:
-      return Key::space;
+    case GLFW_KEY_KP_SUBTRACT: return Key::minus;
+    case GLFW_KEY_SPACE: return Key::space;
     case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      return Key::enter;
-    case GLFW_KEY_ESCAPE:
-      return Key::escape;
-    case GLFW_KEY_TAB:
-      return Key::tab;
-    case GLFW_KEY_BACKSPACE:
-      return Key::backspace;
-    case GLFW_KEY_DELETE:
-      return Key::del;
-    case GLFW_KEY_A:
-      return Key::a;
-    case GLFW_KEY_C:
-      return Key::c;
-    case GLFW_KEY_D:
-      return Key::d;
-    case GLFW_KEY_E:
-      return Key::e;
-    case GLFW_KEY_F:
-      return Key::f;
-    case GLFW_KEY_H:
-      return Key::h;
-    case GLFW_KEY_Q:
-      return Key::q;
-    case GLFW_KEY_R:
-      return Key::r;
-    case GLFW_KEY_S:
-      return Key::s;
-    case GLFW_KEY_V:
-      return Key::v;
-    case GLFW_KEY_W:
-      return Key::w;
-    case GLFW_KEY_X:
-      return Key::x;
-    case GLFW_KEY_Z:
-      return Key::z;
-    default:
-      return Key::unknown;
+    case GLFW_KEY_KP_ENTER: return Key::enter;
+    case GLFW_KEY_ESCAPE: return Key::escape;
+    case GLFW_KEY_TAB: return Key::tab;
+    case GLFW_KEY_BACKSPACE: return Key::backspace;
+    case GLFW_KEY_DELETE: return Key::del;
+    case GLFW_KEY_A: return Key::a;
+    case GLFW_KEY_C: return Key::c;
+    case GLFW_KEY_D: return Key::d;
+    case GLFW_KEY_E: return Key::e;
+    case GLFW_KEY_F: return Key::f;
+    case GLFW_KEY_H: return Key::h;
+    case GLFW_KEY_Q: return Key::q;
+    case GLFW_KEY_R: return Key::r;
+    case GLFW_KEY_S: return Key::s;
+    case GLFW_KEY_V: return Key::v;
+    case GLFW_KEY_W: return Key::w;
+    case GLFW_KEY_X: return Key::x;
+    case GLFW_KEY_Z: return Key::z;
+    default: return Key::unknown;
   }
 }
 

@@ -3,8 +3,9 @@
 #include <emscripten/html5_webgl.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "app/session.hpp"
 #include "gl/caps.hpp"

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
+
+#include <glm/vec3.hpp>
 
 #include "gl/handle.hpp"
 #include "gl/ledger.hpp"

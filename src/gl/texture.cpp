@@ -12,14 +12,10 @@ struct Layout {
 
 Layout layout_of(Format format) {
   switch (format) {
-    case Format::rgba8:
-      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-    case Format::rgb10a2:
-      return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 4};
-    case Format::rgba16f:
-      return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
-    case Format::rgba32f:
-      return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    case Format::rgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::rgb10a2: return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 4};
+    case Format::rgba16f: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
+    case Format::rgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
   }
   return {};
 }

@@ -110,18 +110,10 @@ void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
   ImGui::SetNextItemWidth(width);
   switch (parameter.type) {
     case Type::Float:
-    case Type::Int:
-      number_widget(sheet, parameter, width);
-      break;
-    case Type::Bool:
-      checkbox(sheet, parameter);
-      break;
-    case Type::Color:
-      color_field(sheet, parameter);
-      break;
-    case Type::Choice:
-      choice_list(sheet, parameter);
-      break;
+    case Type::Int: number_widget(sheet, parameter, width); break;
+    case Type::Bool: checkbox(sheet, parameter); break;
+    case Type::Color: color_field(sheet, parameter); break;
+    case Type::Choice: choice_list(sheet, parameter); break;
   }
   // Nobody drags while typing.
   if (ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput) sheet.wishes.dragging = true;

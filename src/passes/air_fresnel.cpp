@@ -1,8 +1,9 @@
 #include "passes/air_fresnel.hpp"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "planet/spheres.hpp"
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "planet/spheres.hpp"
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <array>
-#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+
+#include <glm/vec3.hpp>
 
 #include "passes/cube_bake.hpp"
 #include "passes/frame.hpp"

@@ -1,8 +1,9 @@
 #include "passes/ground_icosphere.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "passes/layers.hpp"
 #include "planet/terrain.hpp"

@@ -1,6 +1,7 @@
 #include "passes/layers.hpp"
 
 #include <cmath>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 

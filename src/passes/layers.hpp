@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+
 #include <glm/vec4.hpp>
 
 #include "planet/pose.hpp"

@@ -1,8 +1,9 @@
 #include "passes/stars_noise.hpp"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace terrella {
 namespace {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <unordered_map>
+
+#include <glm/geometric.hpp>
 
 #include "base/check.hpp"
 

@@ -3,8 +3,9 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace terrella {
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "planet/icosphere.hpp"
 

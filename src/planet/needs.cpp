@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <glm/geometric.hpp>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"

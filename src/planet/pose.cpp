@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <numbers>
 #include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "planet/needs.hpp"
 #include "planet/spheres.hpp"

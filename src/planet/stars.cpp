@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "formulas/formulas.hpp"
 

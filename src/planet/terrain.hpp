@@ -1,8 +1,9 @@
 // The ground of a scene on the CPU: the same formulas as on the GPU. Lengths in planet radii.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "formulas/formulas.hpp"
 #include "scene/scene.hpp"

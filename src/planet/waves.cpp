@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 #include <random>
+
+#include <glm/geometric.hpp>
 
 namespace terrella {
 namespace {

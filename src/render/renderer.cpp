@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "gl/caps.hpp"
 #include "planet/spheres.hpp"

@@ -117,12 +117,9 @@ std::string allowed_values(const Parameter& parameter) {
     case Type::Float:
     case Type::Int:
       return text_of(parameter.min, " to ", parameter.max, parameter.unit.empty() ? "" : " ", parameter.unit);
-    case Type::Bool:
-      return "true or false";
-    case Type::Color:
-      return "#000000 to #ffffff";
-    case Type::Choice:
-      break;
+    case Type::Bool: return "true or false";
+    case Type::Color: return "#000000 to #ffffff";
+    case Type::Choice: break;
   }
   std::string names;
   for (const std::string_view name : parameter.choices) {
@@ -137,18 +134,10 @@ std::optional<Issue> assign(Scene& scene, const Parameter& parameter, const Valu
   std::string trouble;
   switch (parameter.type) {
     case Type::Float:
-    case Type::Int:
-      trouble = assign_number(field, parameter, value);
-      break;
-    case Type::Bool:
-      trouble = assign_bool(field, value);
-      break;
-    case Type::Color:
-      trouble = assign_color(field, value);
-      break;
-    case Type::Choice:
-      trouble = assign_choice(field, parameter, value);
-      break;
+    case Type::Int: trouble = assign_number(field, parameter, value); break;
+    case Type::Bool: trouble = assign_bool(field, value); break;
+    case Type::Color: trouble = assign_color(field, value); break;
+    case Type::Choice: trouble = assign_choice(field, parameter, value); break;
   }
   if (trouble.empty()) return std::nullopt;
   return Issue{std::string(parameter.path), text_of(quoted(value, given), ' ', trouble, "; allowed are ",

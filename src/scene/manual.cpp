@@ -20,16 +20,11 @@ constexpr std::string_view kIntroduction =
 
 std::string_view type_name(Type type) {
   switch (type) {
-    case Type::Float:
-      return "float";
-    case Type::Int:
-      return "int";
-    case Type::Bool:
-      return "bool";
-    case Type::Color:
-      return "color";
-    case Type::Choice:
-      break;
+    case Type::Float: return "float";
+    case Type::Int: return "int";
+    case Type::Bool: return "bool";
+    case Type::Color: return "color";
+    case Type::Choice: break;
   }
   return "choice";
 }

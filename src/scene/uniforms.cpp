@@ -69,9 +69,7 @@ void put_color(std::byte* place, Color color) {
 void put_parameter(std::byte* place, const Parameter& parameter, Scene& scene) {
   const Field field = parameter.field(scene);
   switch (kind_of(parameter)) {
-    case Kind::Vec4:
-      put_color(place, *std::get<Color*>(field));
-      break;
+    case Kind::Vec4: put_color(place, *std::get<Color*>(field)); break;
     case Kind::Float: {
       const bool in_radii = parameter.unit == "m" || parameter.unit == "m/s";
       const double unit = in_radii ? scene.planet.radius : 1.0;

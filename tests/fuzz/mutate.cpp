@@ -46,22 +46,14 @@ std::string mutated(std::string text, std::span<const std::string_view> words, s
   for (std::size_t changes = 1 + below(8, random); changes > 0; --changes) {
     switch (below(9, random)) {
       case 0:
-      case 1:
-        flip_a_byte(text, random);
-        break;
+      case 1: flip_a_byte(text, random); break;
       case 2:
-      case 3:
-        remove_a_piece(text, random);
-        break;
-      case 4:
-        repeat_a_piece(text, random);
-        break;
+      case 3: remove_a_piece(text, random); break;
+      case 4: repeat_a_piece(text, random); break;
       case 5:
         if (below(4, random) == 0) text.resize(below(text.size() + 1, random));
         break;
-      default:
-        put_in_a_word(text, words, random);
-        break;
+      default: put_in_a_word(text, words, random); break;
     }
   }
   return text;

@@ -1,7 +1,8 @@
 #include "targets.hpp"
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/utf8.hpp"

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <fstream>
-#include <glm/vec4.hpp>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <glm/vec4.hpp>
 
 #include "base/check.hpp"
 #include "gl/api.hpp"

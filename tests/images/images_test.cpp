@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 #include <limits>
 #include <random>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "app/still.hpp"
 #include "native/egl_context.hpp"

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 #include <numbers>
 #include <random>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 namespace terrella::test {
 

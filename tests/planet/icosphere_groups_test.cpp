@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "laws/random_places.hpp"
 #include "planet/terrain.hpp"

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "laws/random_places.hpp"
 

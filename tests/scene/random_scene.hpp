@@ -17,12 +17,9 @@ inline int random_int(Random& random, int from, int to) { return std::uniform_in
 
 inline double random_number(const Parameter& parameter, Random& random) {
   switch (random_int(random, 0, 9)) {
-    case 0:
-      return parameter.min;
-    case 1:
-      return parameter.max;
-    default:
-      break;
+    case 0: return parameter.min;
+    case 1: return parameter.max;
+    default: break;
   }
   std::uniform_real_distribution<double> part(0, 1);
   const bool over_decades = parameter.min > 0 && parameter.scale == Scale::Logarithmic;
