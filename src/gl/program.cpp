@@ -53,16 +53,15 @@ Program::Program(std::string_view name, std::string_view vertex) : listed_(std::
 }
 
 bool Program::ready() {
-  if (finished_ || linked_) return true;
-  if (!caps().parallel_compile) {
+  if (linked_) return true;
+  if (caps().parallel_compile) {
+    const GLenum completion_status = 0x91B1;
+    GLint done = GL_FALSE;
+    glGetProgramiv(id(), completion_status, &done);
+    linked_ = done != GL_FALSE;  // what is left to ask would wait for all other programs: use() asks it
+  } else {
     finish();
-    return true;
   }
-  const GLenum completion_status = 0x91B1;
-  GLint done = GL_FALSE;
-  glGetProgramiv(id(), completion_status, &done);
-  // What is left to ask would wait for the other programs: it is asked when this one is used.
-  linked_ = done != GL_FALSE;
   return linked_;
 }
 
@@ -75,6 +74,7 @@ void Program::finish() {
   GLint linked = GL_FALSE;
   glGetProgramiv(id(), GL_LINK_STATUS, &linked);
   CHECK(linked == GL_TRUE, name(), shader_logs(id()));
+  linked_ = true;
   bind_block(id(), "SceneBlock", block_scene);
   bind_block(id(), "FrameBlock", block_frame);
   bind_block(id(), "WaveBlock", block_waves);

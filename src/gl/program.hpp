@@ -14,7 +14,8 @@ class Program {
   // Starts to compile shaders/<name>.vert and shaders/<name>.frag; vertex names another vertex shader if given.
   explicit Program(std::string_view name, std::string_view vertex = {});
 
-  // True once use() will not wait. Where the driver does not tell, the first call finishes the work itself.
+  // True once use() will not wait for this program to compile. Where the driver does not tell, the first call finishes
+  // the work itself.
   bool ready();
 
   // Makes it the current program, waiting for it if need be. Stops the program if the shaders are wrong.

@@ -34,10 +34,12 @@ void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Key key = {frame.scene.stars.density, frame.scene.stars.seed};
   if (key_ == key) return;
-  // The search takes as long as a frame: the very first picture comes without stars, and does not wait for their
-  // program.
-  if (frame.effort != Effort::complete && !key_ && !std::exchange(awaited_, true)) return;
+  // The search takes as long as a frame, and the first picture is not to queue behind one program more: the first
+  // pictures come without stars.
+  const bool patient = frame.effort == Effort::complete || key_.has_value();
+  if (!patient && !std::exchange(awaited_, true)) return;
   if (!program_) program_.emplace("stars/noise");
+  if (!patient && !program_->ready()) return;
   key_ = key;
   StarSky sky = find_stars(frame.scene);
   noise_evaluations_ = sky.noise_evaluations;
@@ -64,7 +66,7 @@ void StarsNoise::choose(const Frame& frame) {
 }
 
 void StarsNoise::draw(const Frame& frame) {
-  if (!program_) return;
+  if (!key_) return;
   choose(frame);
   program_->use();
   program_->set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));

@@ -13,7 +13,7 @@ namespace terrella {
 
 class StarsNoise {
  public:
-  bool ready() { return !program_ || program_->ready(); }
+  // Finds the stars once their program is there; no picture waits for it unless it is to be complete.
   void update(const Frame& frame);
   void draw(const Frame& frame);
   [[nodiscard]] bool settled() const { return key_.has_value(); }
@@ -29,8 +29,8 @@ class StarsNoise {
   };
 
   std::optional<gl::Program> program_;
-  std::optional<Key> key_;
-  bool awaited_ = false;  // a frame has gone by without them
+  std::optional<Key> key_;  // of the stars found, none before
+  bool awaited_ = false;    // a frame has gone by without them
   std::vector<Star> stars_;
   std::vector<std::size_t> shown_;  // places in stars_
   gl::Squares squares_{2};

@@ -84,8 +84,7 @@ void Renderer::choose_techniques() {
 }
 
 double Renderer::ready() {
-  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(),
-                        air_.ready(),     stars_.ready(),  clouds_.ready()};
+  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(), air_.ready(), clouds_.ready()};
   return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
 }
 
