@@ -1,5 +1,7 @@
 #include "gl/texture.hpp"
 
+#include <bit>
+
 #include "base/check.hpp"
 
 namespace terrella::gl {
@@ -48,32 +50,34 @@ void Image::bind(int unit) const {
   glBindTexture(GL_TEXTURE_2D, name());
 }
 
-CubeMap::CubeMap(int side, Format format) : side_(side) {
+CubeMap::CubeMap(int side, Format format) : side_(side), format_(format) {
   CHECK(side >= 1, side);
   const Layout layout = layout_of(format);
   glBindTexture(GL_TEXTURE_CUBE_MAP, name());
   set_filters(GL_TEXTURE_CUBE_MAP, GL_LINEAR, GL_LINEAR);
-  std::int64_t texels = 0;
-  int level = 0;
-  for (int s = side; s >= 1; s /= 2, ++level) {
-    for (GLenum face = 0; face < 6; ++face) {
-      glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, static_cast<GLint>(layout.internal), s, s, 0,
-                   layout.format, layout.type, nullptr);
-    }
-    texels += 6 * std::int64_t{s} * s;
+  for (GLenum face = 0; face < 6; ++face) {
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, static_cast<GLint>(layout.internal), side, side, 0,
+                 layout.format, layout.type, nullptr);
   }
-  memory_.set(texels * layout.bytes);
+  note_memory(1);
 }
 
 void CubeMap::bind(int unit, double level) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_CUBE_MAP, name());
   const bool mipmapped = level > 0.0;
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, mipmapped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
   if (mipmapped && !mipmaps_current_) {
     glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
     mipmaps_current_ = true;
+    note_memory(static_cast<int>(std::bit_width(static_cast<unsigned>(side_))));
   }
-  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, mipmapped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+}
+
+void CubeMap::note_memory(int levels) {
+  std::int64_t texels = 0;
+  for (int level = 0; level < levels; ++level) texels += 6 * std::int64_t{side_ >> level} * (side_ >> level);
+  memory_.set(texels * bytes_of(format_));
 }
 
 }  // namespace terrella::gl

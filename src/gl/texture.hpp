@@ -30,7 +30,7 @@ class Image {
   CountedTexture counted_;
 };
 
-// Six square faces around the planet, with mipmaps. side: texels, a power of two or any other number >= 1.
+// Six square faces around the planet, with mipmaps once they are asked for. side: texels, a power of two or any other number >= 1.
 class CubeMap {
  public:
   CubeMap(int side, Format format);
@@ -46,8 +46,11 @@ class CubeMap {
   [[nodiscard]] int side() const { return side_; }
 
  private:
+  void note_memory(int levels);
+
   TextureHandle texture_;
   int side_;
+  Format format_;
   bool mipmaps_current_ = false;
   Holding memory_;
   CountedTexture counted_;

@@ -34,10 +34,7 @@ void CloudsShell::update(const Frame& frame) {
     key_ = key;
     steps_.fill(std::nullopt);
     job_step_.reset();
-    if (!fine_ || fine_->side() != key.texels) {
-      fine_ = std::make_unique<gl::CubeMap>(key.texels, gl::Format::rgb10a2);
-      gl::fill(*fine_, {0.0F, 0.0F, 0.0F, 0.0F});
-    }
+    if (fine_ && fine_->side() != key.texels) fine_.reset();
   }
 
   const double interval = frame.needs.cloud_interval;
@@ -45,7 +42,7 @@ void CloudsShell::update(const Frame& frame) {
   const auto step = static_cast<std::int64_t>(std::floor(time));
   const double blend = time - static_cast<double>(step);
   const int pair = interval > 0.0 ? 2 : 1;
-  const int all_rows = CubeBake::rows(*fine_);
+  const int all_rows = CubeBake::rows(key.texels);
 
   if (frame.effort == Effort::complete || (holds(step) && job_step_ == step + 1)) {
     // What is missing is made at once: all of it, or the rest of the step that time has caught up with.
@@ -75,7 +72,7 @@ int CloudsShell::hasty_rows(const Frame& frame, double interval) {
   const double elapsed = frame.view.seconds - std::exchange(last_seconds_, frame.view.seconds);
   const double at_ease = noise_a_frame / (static_cast<double>(key_->texels) * key_->octaves);
   // Where frames are slow, time must still be caught up with: twice as fast as it runs.
-  const double pace = interval > 0.0 ? 2.0 * CubeBake::rows(*fine_) * elapsed / interval : 0.0;
+  const double pace = interval > 0.0 ? 2.0 * CubeBake::rows(key_->texels) * elapsed / interval : 0.0;
   return static_cast<int>(std::clamp(pace, at_ease, 4.0 * at_ease));
 }
 
@@ -94,6 +91,7 @@ bool CloudsShell::advance(const Frame& frame, std::int64_t step, int steps, int 
     job_step_ = missing;
     job_.restart();
   }
+  if (!fine_) fine_ = std::make_unique<gl::CubeMap>(key_->texels, gl::Format::rgb10a2);
   glColorMask(channel == 0, channel == 1, channel == 2, GL_FALSE);
   bake(frame, job_, *fine_, static_cast<double>(missing) * frame.needs.cloud_interval, rows);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -107,7 +105,7 @@ bool CloudsShell::advance(const Frame& frame, std::int64_t step, int steps, int 
 void CloudsShell::make_coarse(const Frame& frame) {
   if (!coarse_) coarse_ = std::make_unique<gl::CubeMap>(coarse_cloud_texels, gl::Format::rgb10a2);
   coarse_bake_.restart();
-  bake(frame, coarse_bake_, *coarse_, frame.view.seconds, CubeBake::rows(*coarse_));
+  bake(frame, coarse_bake_, *coarse_, frame.view.seconds, CubeBake::rows(coarse_cloud_texels));
 }
 
 void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, double seconds, int rows) {

@@ -6,7 +6,7 @@ namespace terrella {
 
 std::int64_t CubeBake::advance(gl::Program& program, gl::CubeMap& map, int count) {
   const int side = map.side();
-  const int end = std::min(next_row_ + std::max(count, 1), rows(map));
+  const int end = std::min(next_row_ + std::max(count, 1), rows(side));
   std::int64_t texels = 0;
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);

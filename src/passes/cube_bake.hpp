@@ -15,8 +15,8 @@ class CubeBake {
   // Begins anew.
   void restart() { next_row_ = 0; }
 
-  [[nodiscard]] bool done(const gl::CubeMap& map) const { return next_row_ >= rows(map); }
-  [[nodiscard]] static int rows(const gl::CubeMap& map) { return 6 * map.side(); }
+  [[nodiscard]] bool done(const gl::CubeMap& map) const { return next_row_ >= rows(map.side()); }
+  [[nodiscard]] static int rows(int side) { return 6 * side; }
   [[nodiscard]] int rows_done() const { return next_row_; }
 
   // Draws up to count further rows with the current program, whose uniforms are set but for "face".

@@ -72,7 +72,7 @@ GroundIcosphere::Surface GroundIcosphere::make_surface(double tolerance, int lev
 void GroundIcosphere::make_coarse(const Frame& frame) {
   if (!coarse_map_) coarse_map_ = std::make_unique<gl::CubeMap>(coarse_ground_texels, gl::Format::rgba16f);
   coarse_bake_.restart();
-  bake(frame, coarse_bake_, *coarse_map_, CubeBake::rows(*coarse_map_));
+  bake(frame, coarse_bake_, *coarse_map_, CubeBake::rows(coarse_ground_texels));
   begun_key_.reset();
   coarse_ = std::exchange(begun_, {});
   noise_evaluations_ += static_cast<std::int64_t>(coarse_->positions.size()) * frame.scene.terrain.octaves;
@@ -88,7 +88,7 @@ void GroundIcosphere::advance_fine(const Frame& frame) {
   }
   if (!fine_bake_.done(*fine_map_)) {
     const auto rows = static_cast<int>(map_noise_a_frame / (std::int64_t{key_->texels} * octaves));
-    bake(frame, fine_bake_, *fine_map_, at_once ? CubeBake::rows(*fine_map_) : rows);
+    bake(frame, fine_bake_, *fine_map_, at_once ? CubeBake::rows(key_->texels) : rows);
   }
   if (fine_positions_.size() < sphere.directions.size()) {
     const auto share = static_cast<std::size_t>(mesh_noise_a_frame / octaves);
