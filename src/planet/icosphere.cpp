@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include <glm/geometric.hpp>
 
@@ -42,21 +41,33 @@ constexpr std::array<std::array<std::uint32_t, 3>, 20> icosahedron_faces = {
 // Makes the vertex in the middle of an edge, once for the two triangles that share it.
 class Midpoints {
  public:
-  Midpoints(std::vector<glm::dvec3>& directions, std::size_t edges) : directions_(directions) {
+  Midpoints(std::vector<glm::dvec3>& directions, std::size_t edges)
+      : directions_(directions), made_(directions.size()) {
     directions_.reserve(directions_.size() + edges);
-    made_.reserve(edges);
   }
 
   std::uint32_t between(std::uint32_t a, std::uint32_t b) {
-    const std::uint64_t edge = (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
-    const auto [entry, is_new] = made_.try_emplace(edge, static_cast<std::uint32_t>(directions_.size()));
-    if (is_new) directions_.push_back(glm::normalize(directions_[a] + directions_[b]));
-    return entry->second;
+    Edges& edges = made_[std::min(a, b)];
+    const std::uint32_t end = std::max(a, b);
+    const auto edge =
+        std::find_if(edges.begin(), edges.end(), [&](const Edge& e) { return e.end == end || e.end == 0; });
+    CHECK(edge != edges.end(), a, b);
+    if (edge->end == 0) {
+      *edge = {end, static_cast<std::uint32_t>(directions_.size())};
+      directions_.push_back(glm::normalize(directions_[a] + directions_[b]));
+    }
+    return edge->middle;
   }
 
  private:
+  struct Edge {
+    std::uint32_t end = 0;  // the vertex of the higher number; 0, which is no edge's end, where there is none yet
+    std::uint32_t middle = 0;
+  };
+  using Edges = std::array<Edge, 6>;  // as many meet in a vertex at most
+
   std::vector<glm::dvec3>& directions_;
-  std::unordered_map<std::uint64_t, std::uint32_t> made_;
+  std::vector<Edges> made_;  // for each vertex those of its edges that end in a vertex of a higher number
 };
 
 std::vector<std::uint32_t> subdivided(const std::vector<std::uint32_t>& indices, std::vector<glm::dvec3>& directions) {
