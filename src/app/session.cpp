@@ -23,6 +23,13 @@ constexpr std::ptrdiff_t most_notices = 24;
 
 }  // namespace
 
+struct Session::PanelPainter {
+  PanelPainter() { ImGui_ImplOpenGL3_Init(gl::caps().es ? "#version 300 es" : "#version 330 core"); }
+  ~PanelPainter() { ImGui_ImplOpenGL3_Shutdown(); }
+  PanelPainter(const PanelPainter&) = delete;
+  PanelPainter& operator=(const PanelPainter&) = delete;
+};
+
 Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContext()) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
@@ -30,26 +37,25 @@ Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContex
 }
 
 Session::~Session() {
-  if (renderer_) ImGui_ImplOpenGL3_Shutdown();
+  painter_.reset();
   ImGui::DestroyContext(imgui_);
 }
 
 void Session::context_made() {
   renderer_ = std::make_unique<Renderer>();
-  ImGui_ImplOpenGL3_Init(gl::caps().es ? "#version 300 es" : "#version 330 core");
   planet_stale_ = true;
   panel_frames_ = 3;
 }
 
 void Session::context_lost() {
-  if (renderer_) ImGui_ImplOpenGL3_Shutdown();
+  painter_.reset();
   renderer_.reset();
 }
 
 void Session::resize(int width, int height, double scale) {
   if (scale != scale_) {
     style_panel(static_cast<float>(scale));
-    if (renderer_) ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the font has another size; made anew when next drawn
+    if (painter_) ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the font has another size; made anew when next drawn
   }
   width_ = std::max(1, width);
   height_ = std::max(1, height);
@@ -209,10 +215,10 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   if (turn.drawn) {
     renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
-    ImDrawData* panel = ImGui::GetDrawData();  // none until the panel has run
-    if (panel_shown_ && panel != nullptr) ImGui_ImplOpenGL3_RenderDrawData(panel);
+    if (panel_shown_ && painter_) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (panel_frames_ > 0) --panel_frames_;
   }
+  turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
   const bool clock_runs = !paused_ && renderer_->needs().moving;
   turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_;
   at_rest_ = !turn.again;
@@ -254,6 +260,7 @@ void Session::run_panel() {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width_ * scale_), static_cast<float>(height_ * scale_)};
   io.DeltaTime = 1.0F / 60.0F;
+  if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   const PanelWishes wishes = panel_.draw(document_, facts());

@@ -57,6 +57,7 @@ class Session {
 
   struct Turn {
     bool drawn = false;     // into the framebuffer given
+    bool whole = false;     // what is on screen lacks nothing, as the first pictures do
     bool again = false;     // another frame is wanted without a further event
     double progress = 1.0;  // below 1 until the first frame: share of the shaders that are ready
   };
@@ -84,6 +85,7 @@ class Session {
 
  private:
   enum class Drag { none, turn, look };
+  struct PanelPainter;
 
   View view() const;
   // The window or canvas, in its own pixels.
@@ -101,6 +103,7 @@ class Session {
   Host host_;
   SceneDocument document_;
   ImGuiContext* imgui_;
+  std::unique_ptr<PanelPainter> painter_;  // from when the panel first runs in a context
   Panel panel_;
   CameraControl camera_;
   std::unique_ptr<Renderer> renderer_;

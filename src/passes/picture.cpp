@@ -15,9 +15,10 @@ void PicturePass::develop(const gl::Image& light) {
   triangle_.draw();
 }
 
-void PicturePass::show(const gl::Screen& screen, const PictureBox* smooth) {
+void PicturePass::show(const gl::Screen& screen, const PictureBox* smooth, bool patient) {
   gl::copy(*developed_, screen);
-  if (smooth == nullptr) return;
+  settled_ = smooth == nullptr || antialias_.ready(patient);
+  if (smooth == nullptr || !settled_) return;
   const gl::Image& image = developed_->image();
   const auto pixel = [](double part, int all) { return static_cast<int>(std::lround(part * all)); };
   const int left = pixel(smooth->left, screen.width) - 1, bottom = pixel(smooth->bottom, screen.height) - 1;
@@ -25,8 +26,8 @@ void PicturePass::show(const gl::Screen& screen, const PictureBox* smooth) {
   const gl::Scissors scissors(left, bottom, pixel(smooth->right, screen.width) + 1 - left,
                               pixel(smooth->top, screen.height) + 1 - bottom);
   image.bind(gl::unit_image);
-  antialias_.use();
-  antialias_.set("texel", 1.0F / static_cast<float>(image.width()), 1.0F / static_cast<float>(image.height()));
+  antialias_->use();
+  antialias_->set("texel", 1.0F / static_cast<float>(image.width()), 1.0F / static_cast<float>(image.height()));
   triangle_.draw();
 }
 

@@ -1,7 +1,6 @@
 #include "passes/stars_noise.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -34,12 +33,8 @@ void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Key key = {frame.scene.stars.density, frame.scene.stars.seed};
   if (key_ == key) return;
-  // The search takes as long as a frame, and the first picture is not to queue behind one program more: the first
-  // pictures come without stars.
-  const bool patient = frame.effort == Effort::complete || key_.has_value();
-  if (!patient && !std::exchange(awaited_, true)) return;
-  if (!program_) program_.emplace("stars/noise");
-  if (!patient && !program_->ready()) return;
+  // The search takes as long as a frame: the first pictures come without stars.
+  if (!program_.ready(frame.effort == Effort::complete)) return;
   key_ = key;
   StarSky sky = find_stars(frame.scene);
   noise_evaluations_ = sky.noise_evaluations;

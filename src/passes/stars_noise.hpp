@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "gl/late_program.hpp"
 #include "gl/mesh.hpp"
-#include "gl/program.hpp"
 #include "passes/frame.hpp"
 #include "planet/stars.hpp"
 
@@ -28,9 +28,8 @@ class StarsNoise {
     bool operator==(const Key&) const = default;
   };
 
-  std::optional<gl::Program> program_;
+  gl::LateProgram program_{"stars/noise"};
   std::optional<Key> key_;  // of the stars found, none before
-  bool awaited_ = false;    // a frame has gone by without them
   std::vector<Star> stars_;
   std::vector<std::size_t> shown_;  // places in stars_
   gl::Squares squares_{2};

@@ -94,6 +94,7 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   choose_techniques();
   const Sea sea = make_sea(scene, view.seconds);
   const Frame frame = {scene, view, pose_, needs_, sea, shot.channel, shot.effort};
+  effort_ = shot.effort;
   planet_box_ = box_of_sphere(pose_, view, outermost_radius(scene));
 
   gl::begin_frame();
@@ -175,11 +176,13 @@ void Renderer::begin_light(const View& view, const Shot& shot) {
 
 void Renderer::show(const gl::Screen& screen, bool antialias) {
   draw_flat();
-  picture_.show(screen, antialias ? &planet_box_ : nullptr);
+  picture_.show(screen, antialias ? &planet_box_ : nullptr, effort_ == Effort::complete);
 }
 
+bool Renderer::whole() const { return (!stars_ || stars_->settled()) && picture_.settled(); }
+
 bool Renderer::settled() const {
-  return (!ground_ || ground_->settled()) && (!clouds_ || clouds_->settled()) && (!stars_ || stars_->settled());
+  return whole() && (!ground_ || ground_->settled()) && (!clouds_ || clouds_->settled());
 }
 
 RenderStats Renderer::stats() const {

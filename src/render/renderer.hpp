@@ -55,7 +55,9 @@ class Renderer {
   // What the last draw, or else prepare, decided.
   [[nodiscard]] const Needs& needs() const { return needs_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  // Whether the last picture was as fine as the scene asks; else further frames refine it.
+  // Whether the last picture lacked nothing; the first ones do without what they would have to wait for.
+  [[nodiscard]] bool whole() const;
+  // Whether it was as fine as the scene asks as well; else further frames refine it.
   [[nodiscard]] bool settled() const;
   [[nodiscard]] RenderStats stats() const;
 
@@ -81,6 +83,7 @@ class Renderer {
   gl::CubeMap no_clouds_;
   Needs needs_;
   PictureBox planet_box_;
+  Effort effort_ = Effort::complete;  // of the last draw
   Pose pose_{};
   std::int64_t noise_evaluations_ = 0;
 };
