@@ -1,4 +1,4 @@
-# The target `imgui`: Dear ImGui with its GLFW and OpenGL 3 backends, compiled from source for desktop and browser.
+# The target `imgui`: Dear ImGui with its OpenGL 3 backend, compiled from source for desktop and browser.
 
 set(version 1.90.1)
 set(IMGUI_DIR ${PROJECT_SOURCE_DIR}/build/deps/imgui-${version} CACHE PATH "Sources of Dear ImGui, 1.90.1 or newer")
@@ -20,7 +20,7 @@ endif()
 
 add_library(imgui STATIC
   ${IMGUI_DIR}/imgui.cpp ${IMGUI_DIR}/imgui_draw.cpp ${IMGUI_DIR}/imgui_tables.cpp ${IMGUI_DIR}/imgui_widgets.cpp
-  ${IMGUI_DIR}/backends/imgui_impl_glfw.cpp ${IMGUI_DIR}/backends/imgui_impl_opengl3.cpp)
+  ${IMGUI_DIR}/backends/imgui_impl_opengl3.cpp)
 target_include_directories(imgui SYSTEM PUBLIC ${IMGUI_DIR} ${IMGUI_DIR}/backends)
 # Its demo and its debugging windows would be a third of the page's download.
 target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_DEBUG_TOOLS
@@ -29,6 +29,6 @@ if(EMSCRIPTEN)
   # The page has no files; and its context is WebGL 2, where the backend by itself would assume WebGL 1.
   target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_FILE_FUNCTIONS PRIVATE IMGUI_IMPL_OPENGL_ES3)
 else()
-  target_link_libraries(imgui PUBLIC glfw PRIVATE ${CMAKE_DL_LIBS})
+  target_link_libraries(imgui PRIVATE ${CMAKE_DL_LIBS})
 endif()
 target_compile_options(imgui PRIVATE -fno-sanitize=all)  # not ours to check, and slow to compile

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session.hpp"
+#include "base/check.hpp"
 #include "gl/caps.hpp"
 #include "scene/json.hpp"
 #include "scene/link.hpp"
@@ -44,29 +45,22 @@ const char* returned_list(const std::vector<std::string>& sentences) {
 
 extern "C" {
 
-// 0: all is well; 1: no WebGL 2; 2: no float targets.
+// From now on draws with the context that the page's canvas has, a new one or one restored. Returns whether it can: not
+// without float targets.
 EMSCRIPTEN_KEEPALIVE int terrella_start() {
-  if (!session) {
-    Session::Host host;
-    host.scene_changed = page_scene_changed;
-    host.copy_text = [](const std::string& text) { page_copy_text(text.c_str()); };
-    host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
-    host.open_json = page_open_json;
-    host.save_picture = page_save_picture;
-    session = std::make_unique<Session>(std::move(host));
+  if (context == 0) {
     EmscriptenWebGLContextAttributes attributes;
     emscripten_webgl_init_context_attributes(&attributes);
     attributes.majorVersion = 2;
-    attributes.alpha = attributes.depth = attributes.antialias = false;
-    attributes.powerPreference = EM_WEBGL_POWER_PREFERENCE_HIGH_PERFORMANCE;
+    attributes.enableExtensionsByDefault = false;  // thirty questions to the driver; read_caps asks the ones it needs
     context = emscripten_webgl_create_context("#planet", &attributes);
-    if (context <= 0) return 1;
+    CHECK(context > 0, context);
   }
   emscripten_webgl_make_context_current(context);
-  if (!terrella::gl::read_caps().float_targets) return 2;
+  if (!terrella::gl::read_caps().float_targets) return 0;
   terrella::gl::set_up_context();
   session->context_made();
-  return 0;
+  return 1;
 }
 
 EMSCRIPTEN_KEEPALIVE void terrella_context_lost() { session->context_lost(); }
@@ -76,11 +70,11 @@ EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale) {
 }
 
 // Returns the share of shaders that are ready, below 1, until there is a picture; then 1, plus 1 if a picture was
-// drawn, plus 2 if another frame is wanted.
+// drawn, plus 2 if another frame is wanted, plus 4 if the picture on screen lacks nothing.
 EMSCRIPTEN_KEEPALIVE double terrella_frame(double seconds) {
   const Session::Turn turn = session->frame(seconds, 0);
   if (turn.progress < 1.0) return turn.progress;
-  return 1.0 + (turn.drawn ? 1.0 : 0.0) + (turn.again ? 2.0 : 0.0);
+  return 1.0 + (turn.drawn ? 1.0 : 0.0) + (turn.again ? 2.0 : 0.0) + (turn.whole ? 4.0 : 0.0);
 }
 
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_moved(double x, double y) { session->pointer_moved(x, y); }
@@ -145,4 +139,13 @@ EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height
 EMSCRIPTEN_KEEPALIVE int terrella_largest_picture() { return terrella::gl::caps().max_texture; }
 }
 
-int main() { return 0; }
+int main() {
+  Session::Host host;
+  host.scene_changed = page_scene_changed;
+  host.copy_text = [](const std::string& text) { page_copy_text(text.c_str()); };
+  host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
+  host.open_json = page_open_json;
+  host.save_picture = page_save_picture;
+  session = std::make_unique<Session>(std::move(host));
+  return 0;
+}

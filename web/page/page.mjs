@@ -29,7 +29,6 @@ function wake() {
   requestAnimationFrame(turn);
 }
 
-let started = false;
 function turn(now) {
   scheduled = false;
   if (canvas.lost) return;
@@ -39,21 +38,22 @@ function turn(now) {
     setTimeout(wake, 15);  // not at the next frame: there is nothing to paint, and the driver is busy
     return;
   }
-  if (!started && (result === 2 || result === 4)) {
-    started = true;
-    loading.hidden = true;
-    ready();
-  }
-  if (result >= 3) wake();
+  const [drawn, again, whole] = [1, 2, 4].map(bit => ((result - 1) & bit) !== 0);
+  if (drawn) loading.hidden = true;
+  if (whole) ready();
+  if (again) wake();
 }
 
 // Size: in whole device pixels, whatever the zoom of the page.
+const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
+function sizeCanvas(width, height) {
+  const pixels = [Math.round(width * scale()), Math.round(height * scale())];
+  if (canvas.width !== pixels[0] || canvas.height !== pixels[1]) [canvas.width, canvas.height] = pixels;
+}
 function fit() {
-  const scale = Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
   const width = Math.max(1, canvas.clientWidth), height = Math.max(1, canvas.clientHeight);
-  canvas.width = Math.round(width * scale);
-  canvas.height = Math.round(height * scale);
-  program._terrella_resize(width, height, scale);
+  sizeCanvas(width, height);
+  program._terrella_resize(width, height, scale());
   wake();
 }
 
@@ -140,6 +140,7 @@ function listen() {
     if (file) loadText(await file.text());
   });
   addEventListener('resize', fit);
+  new ResizeObserver(fit).observe(canvas);
   canvas.addEventListener('webglcontextlost', event => {
     event.preventDefault();
     canvas.lost = true;
@@ -229,37 +230,44 @@ window.terrella = {
 };
 
 async function start() {
-  if (typeof WebAssembly !== 'object' || typeof createTerrella !== 'function') {
+  if (typeof WebAssembly !== 'object') {
     return fail('Terrella needs WebAssembly, which this browser does not have or does not allow.');
   }
+  const coming = import('./terrella.js').then(module => module.default({
+    onSceneChanged() { address(); for (const listener of listeners.change) listener(); },
+    onCopyText(text) {
+      const whole = text.startsWith('{') ? text : link();
+      navigator.clipboard?.writeText(whole).catch(() => {});
+    },
+    onSaveJson: text => offer(new Blob([text], { type: 'application/json' }), 'planet.json'),
+    onOpenJson() {
+      const input = document.createElement('input');
+      input.type = 'file';
+      input.accept = '.json,application/json';
+      input.onchange = async () => { if (input.files[0]) loadText(await input.files[0].text()); };
+      input.click();
+    },
+    onSavePicture: () => screenshot().then(blob => offer(blob, 'planet.png')),
+  }));
+  coming.catch(() => {});  // told below, unless the canvas has told already
   progress.value = 0.1;
+  // While the program is on its way the driver sets itself up. The style sheet may be on its way too.
+  sizeCanvas(innerWidth, innerHeight);
+  if (!canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false, powerPreference: 'high-performance' })) {
+    return fail('Terrella draws with WebGL 2, which this browser or its graphics driver does not offer.');
+  }
   try {
-    program = await createTerrella({
-      onSceneChanged() { address(); for (const listener of listeners.change) listener(); },
-      onCopyText(text) {
-        const whole = text.startsWith('{') ? text : link();
-        navigator.clipboard?.writeText(whole).catch(() => {});
-      },
-      onSaveJson: text => offer(new Blob([text], { type: 'application/json' }), 'planet.json'),
-      onOpenJson() {
-        const input = document.createElement('input');
-        input.type = 'file';
-        input.accept = '.json,application/json';
-        input.onchange = async () => { if (input.files[0]) loadText(await input.files[0].text()); };
-        input.click();
-      },
-      onSavePicture: () => screenshot().then(blob => offer(blob, 'planet.png')),
-    });
+    program = await coming;
   } catch (error) {
     return fail('Terrella could not start its WebAssembly program: ' + error.message);
   }
   progress.value = 0.3;
-  const outcome = program._terrella_start();
-  if (outcome === 1) return fail('Terrella draws with WebGL 2, which this browser or its graphics driver does not offer.');
-  if (outcome === 2) return fail('Terrella draws into float textures, which this graphics driver does not offer.');
   if (location.search) for (const sentence of JSON.parse(textOf('load_link', location.search))) call('add_notice', ['string'], [sentence]);
   if (page.get('panel') === '0') program._terrella_show_panel(0);
   if (page.get('pause') === '1') program._terrella_set_paused(1);
+  if (!program._terrella_start()) {
+    return fail('Terrella draws into float textures, which this graphics driver does not offer.');
+  }
   listen();
   fit();
 }
