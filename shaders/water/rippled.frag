@@ -20,7 +20,6 @@ void main() {
   r.gradient = vec3(0.0);
   r.rough = 0.0;
   r.wash = 0.0;
-  add_ripples(r, 0, up, footprint);
-  add_ripples(r, 1, up, footprint);
+  for (int layer = 0; layer < 2; ++layer) add_ripples(r, layer, up, footprint);  // half the code to compile
   emit_calm_water(r, up);
 }

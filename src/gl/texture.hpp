@@ -30,7 +30,8 @@ class Image {
   CountedTexture counted_;
 };
 
-// Six square faces around the planet, with mipmaps once they are asked for. side: texels, a power of two or any other number >= 1.
+// Six square faces around the planet, with mipmaps once they are asked for. side: texels, a power of two or any other
+// number >= 1.
 class CubeMap {
  public:
   CubeMap(int side, Format format);

@@ -124,6 +124,30 @@ TEST(Pictures, SettleFromCoarseToTheCompleteOne) {
   EXPECT_NE(settled, coarse);
 }
 
+TEST(Pictures, SoonLackNothingAndCompleteOnesNever) {
+  const Scene& scene = find_preset("temperate")->scene;
+  View view;
+  view.width = 160;
+  view.height = 90;
+  Studio studio, patient;
+  const gl::Target target(view.width, view.height, gl::Format::rgba8, false);
+  const gl::Screen screen = {target.framebuffer(), view.width, view.height};
+  const auto show = [&](Renderer& renderer, Effort effort) {
+    renderer.draw(scene, view, {Channel::color, effort, false});
+    renderer.show(screen, true);
+    return target.read_bytes();
+  };
+  const std::vector<unsigned char> all = show(patient.renderer, Effort::complete);
+  EXPECT_TRUE(patient.renderer.whole());
+  EXPECT_NE(show(studio.renderer, Effort::live), all);
+  EXPECT_FALSE(studio.renderer.whole());
+  int frames = 1;
+  for (; frames < 200 && !studio.renderer.whole(); ++frames) show(studio.renderer, Effort::live);
+  EXPECT_TRUE(studio.renderer.whole());
+  for (; frames < 200 && !studio.renderer.settled(); ++frames) show(studio.renderer, Effort::live);
+  EXPECT_EQ(show(studio.renderer, Effort::live), all);
+}
+
 TEST(Pictures, OfASettledPlanetComputeNoNoiseForTheGround) {
   Scene scene = find_preset("moon")->scene;
   View view;
