@@ -7,7 +7,7 @@ help:
 	@echo "make run      build the browser version and serve it on this machine"
 	@echo "make test     build all and run every test"
 	@echo "make native   build the desktop program, build/native/terrella"
-	@echo "make bench    measure speed"
+	@echo "make bench    measure speed, memory and size of both"
 	@echo "make format   lay out the C++ files as .clang-format says"
 	@echo "make clean    remove all that was built"
 	@echo "Each installs first what it misses, by the system's package manager."
@@ -22,8 +22,9 @@ test: setup-test build-native build-sanitize build-web
 	ctest --preset sanitize
 	@if [ -e tests/web/run.mjs ]; then $(MAKE) --no-print-directory test-web; fi
 
-bench: setup-bench build-native
+bench: setup-bench build-native build-web tests/web/node_modules/.package-lock.json
 	build/native/bench/terrella_bench
+	node bench/page_bench.mjs
 
 format: setup-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

@@ -6,7 +6,10 @@ import { gzipSync } from 'node:zlib';
 
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.txt': 'text/plain' };
 
-export async function serve(folder, under = '/some/where/') {
+// As strict as a page may have to live with.
+const strict = { 'content-security-policy': "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'" };
+
+export async function serve(folder, under = '/some/where/', headers = strict) {
   const log = { requests: 0, gzipped: 0, missing: [] };
   const server = createServer(async (request, response) => {
     const path = new URL(request.url, 'http://x').pathname;
@@ -15,8 +18,7 @@ export async function serve(folder, under = '/some/where/') {
       if (!path.startsWith(under)) throw new Error('elsewhere');
       const body = await readFile(join(folder, normalize(path.slice(under.length) || 'index.html')));
       log.gzipped += gzipSync(body, { level: 9 }).length;
-      response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/html', 'cache-control': 'no-store',
-        'content-security-policy': "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'" });
+      response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/html', 'cache-control': 'no-store', ...headers });
       response.end(body);
     } catch {
       log.missing.push(path);

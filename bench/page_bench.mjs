@@ -1,0 +1,203 @@
+// What the page costs in a real browser, beside a load that never changes (yardstick/), whose median frame is Y:
+//   node bench/page_bench.mjs [swiftshader|llvmpipe ...]
+// Frames are timed until one of their pixels has been read back. Figures hold within one run only.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { serve } from '../tests/web/serve.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const { chromium } = createRequire(join(here, '../tests/web/'))('playwright-core');
+const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const drivers = {
+  swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  llvmpipe: ['--use-angle=gl-egl', '--ignore-gpu-blocklist'],
+};
+const rounds = 5, warmUp = 30, timed = 12;
+const viewport = { width: 1280, height: 720 };
+
+const median = values => values.toSorted((a, b) => a - b)[values.length >> 1];
+const ms = value => `${value.toFixed(0)} ms`;
+const sleep = time => new Promise(done => setTimeout(done, time));
+
+// Runs in a page before its own scripts: notes how long each frame takes, and when the first one was done.
+function watch() {
+  const contexts = new Set(), pixel = new Uint8Array(4);
+  let drawn = false;
+  const getContext = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (...request) {
+    const context = getContext.apply(this, request);
+    if (context?.readPixels) contexts.add(context);
+    return context;
+  };
+  for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced']) {
+    const draw = WebGL2RenderingContext.prototype[name];
+    WebGL2RenderingContext.prototype[name] = function (...of) { drawn = true; draw.apply(this, of); };
+  }
+  window.watched = { frames: [], first: 0, before: () => {} };
+  const request = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = callback => request(now => {
+    const start = performance.now();
+    drawn = false;
+    if (watched.first) watched.before(now);
+    callback(now);
+    if (!drawn) return;
+    for (const context of contexts) context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, pixel);
+    watched.frames.push(performance.now() - start);
+    watched.first ||= performance.now();
+  });
+}
+
+async function open(browser, url, size = viewport) {
+  const page = await (await browser.newContext({ viewport: size })).newPage();
+  await page.addInitScript(watch);
+  await page.goto(url);
+  return page;
+}
+
+async function until(page, question) {
+  while (!await page.evaluate(question)) await sleep(100);
+}
+
+// Times of frames and of the first one. before: run in the page before each frame.
+async function visit(browser, url, before = '') {
+  const page = await open(browser, url);
+  await until(page, () => watched.first > 0);
+  if (before === 'slide') await page.evaluate(() => { watched.before = now => terrella.set('terrain.height', 300 + 20 * Math.sin(now)); });
+  const frames = () => page.evaluate(() => watched.frames.length);
+  while (await frames() < warmUp + timed) await sleep(100);
+  const seen = await page.evaluate(() => watched);
+  const stats = await page.evaluate(() => window.terrella?.stats());
+  await page.context().close();
+  return { frames: seen.frames.slice(warmUp, warmUp + timed), first: seen.first, stats };
+}
+
+// Visits the pages in turn, several times.
+async function compare(browser, visits) {
+  const all = visits.map(() => ({ frames: [], firsts: [] }));
+  for (let round = 0; round < rounds; ++round) {
+    for (const [i, [url, before]] of visits.entries()) {
+      const { frames, first, stats } = await visit(browser, url, before);
+      all[i].frames.push(...frames);
+      all[i].firsts.push(first);
+      all[i].stats = stats;
+    }
+  }
+  return all.map(({ frames, firsts, stats }) => ({ frame: median(frames), first: median(firsts), stats }));
+}
+
+async function timePresets(browser, url) {
+  const page = await open(browser, url + '?panel=0&pause=1');
+  await page.evaluate(() => terrella.ready);
+  const rows = await page.evaluate(names => names.map(name => {
+    terrella.load('?preset=' + name);
+    const times = [];
+    for (let i = 0; i < 15; ++i) {
+      const start = performance.now();
+      terrella.render(100 + 0.04 * i);
+      if (i >= 4) times.push(performance.now() - start);
+    }
+    return { name, time: times.sort((a, b) => a - b)[times.length >> 1], triangles: terrella.stats().triangles };
+  }), presets);
+  await page.context().close();
+  return rows;
+}
+
+// Time that each program of the default view takes to compile and link, and for its first draw.
+async function timePrograms(browser, url) {
+  const page = await browser.newPage();
+  await page.addInitScript(() => {
+    const { shaderSource, attachShader } = WebGL2RenderingContext.prototype;
+    const texts = new Map();
+    window.programs = new Map();
+    WebGL2RenderingContext.prototype.shaderSource = function (shader, text) { texts.set(shader, text); shaderSource.call(this, shader, text); };
+    WebGL2RenderingContext.prototype.attachShader = function (program, shader) {
+      programs.set(program, [...programs.get(program) ?? [], texts.get(shader)]);
+      attachShader.call(this, program, shader);
+    };
+  });
+  await page.goto(url);
+  await page.evaluate(() => terrella.ready);
+  const times = await page.evaluate(() => [...programs.values()].filter(stages => stages.length === 2).map(([vertex, fragment]) => {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    wait();
+    const start = performance.now(), program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    const linked = performance.now();
+    gl.useProgram(program);
+    gl.bindBuffer(gl.UNIFORM_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.UNIFORM_BUFFER, 65536, gl.STATIC_DRAW);
+    let unit = 0;
+    for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORM_BLOCKS); ++i) {
+      gl.uniformBlockBinding(program, i, i);
+      gl.bindBufferBase(gl.UNIFORM_BUFFER, i, gl.getParameter(gl.UNIFORM_BUFFER_BINDING));
+    }
+    for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++i) {
+      const { name, type } = gl.getActiveUniform(program, i);
+      if (type === gl.SAMPLER_CUBE || type === gl.SAMPLER_2D) gl.uniform1i(gl.getUniformLocation(program, name), unit++);
+    }
+    const ready = performance.now();
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    wait();
+    const drawn = performance.now();
+    gl.getExtension('WEBGL_lose_context').loseContext();
+    return [linked - start, drawn - ready];
+  }));
+  await page.close();
+  return [Math.max(...times.map(t => t[0])), Math.max(...times.map(t => t[1]))];
+}
+
+// GPU memory before and after many frames.
+async function growth(browser, url, frames) {
+  const page = await open(browser, url + '?panel=0&pause=1', { width: 96, height: 54 });
+  await page.evaluate(() => terrella.ready);
+  const bytes = [];
+  for (let done = 0; done <= frames; done += 500) {
+    bytes.push(await page.evaluate(from => {
+      for (let i = 0; i < 500; ++i) terrella.render(100 + (from + i) / 30);
+      return terrella.stats().gpu_bytes;
+    }, done));
+  }
+  await page.context().close();
+  return [bytes[0], Math.max(...bytes)];
+}
+
+async function bench(driver, url, yardstick) {
+  const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--hide-scrollbars', '--use-gl=angle', '--disable-frame-rate-limit', '--disable-gpu-vsync', ...drivers[driver]] });
+  const [y, page, slide] = await compare(browser, [[yardstick], [url], [url, 'slide']]);
+  const inY = time => `${ms(time)} = ${(time / y.frame).toFixed(2)} Y`;
+  console.log(`\n${driver}, ${viewport.width}x${viewport.height}: Y is ${ms(y.frame)}`);
+  console.log(`default, everything moving, with the panel: ${inY(page.frame)}, ${page.stats.triangles} triangles, ${page.stats.programs.length} programs, ${(page.stats.gpu_bytes / 1e6).toFixed(1)} MB`);
+  console.log(`the same while terrain.height changes with every frame: ${inY(slide.frame)}`);
+  console.log(`first frame: ${ms(page.first)}, that of Y's page ${ms(y.first)}: ${(page.first / y.first).toFixed(2)} times`);
+  for (const { name, time, triangles } of await timePresets(browser, url)) console.log(`${name}: ${inY(time)}, ${triangles} triangles`);
+  const [linked, drawn] = await timePrograms(browser, url);
+  console.log(`programs: compiled and linked in at most ${ms(linked)} each, first draw at most ${ms(drawn)}`);
+  const [before, after] = await growth(browser, url, 10_000);
+  console.log(`GPU memory after 500 frames ${before} bytes, the most in 10,000 frames ${after} bytes`);
+  await browser.close();
+}
+
+const dist = join(here, '../build/web/dist');
+const presets = readFileSync(join(here, '../presets/order.txt'), 'utf8').split(/\s+/).filter(Boolean);
+const server = await serve(dist), load = await serve(join(here, 'yardstick'), '/y/', {});
+const probe = await chromium.launch({ executablePath, args: ['--no-sandbox', '--use-gl=angle', ...drivers.swiftshader] });
+await (await open(probe, server.url)).evaluate(() => terrella.ready);
+await probe.close();
+console.log(`page: ${(server.log.gzipped / 1000).toFixed(0)} kB gzipped in ${server.log.requests} requests`);
+for (const driver of process.argv.length > 2 ? process.argv.slice(2) : Object.keys(drivers)) {
+  if (!drivers[driver]) throw new Error(`There is no driver "${driver}"; there are ${Object.keys(drivers).join(', ')}.`);
+  await bench(driver, server.url, load.url);
+}
+server.close();
+load.close();
