@@ -14,7 +14,7 @@ const drivers = {
   swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   llvmpipe: ['--use-angle=gl-egl', '--ignore-gpu-blocklist'],
 };
-const rounds = 5, warmUp = 30, timed = 12;
+const rounds = 3, warmUp = 25, timed = 12;
 const viewport = { width: 1280, height: 720 };
 
 const median = values => values.toSorted((a, b) => a - b)[values.length >> 1];
