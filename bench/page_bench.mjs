@@ -5,11 +5,11 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { executablePath, until } from '../tests/web/browser.mjs';
 import { serve } from '../tests/web/serve.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const { chromium } = createRequire(join(here, '../tests/web/'))('playwright-core');
-const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const drivers = {
   swiftshader: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   llvmpipe: ['--use-angle=gl-egl', '--ignore-gpu-blocklist'],
@@ -19,7 +19,6 @@ const viewport = { width: 1280, height: 720 };
 
 const median = values => values.toSorted((a, b) => a - b)[values.length >> 1];
 const ms = value => `${value.toFixed(0)} ms`;
-const sleep = time => new Promise(done => setTimeout(done, time));
 
 // Runs in a page before its own scripts: notes how long each frame takes, and when the first one was done.
 function watch() {
@@ -56,29 +55,24 @@ async function open(browser, url, size = viewport) {
   return page;
 }
 
-async function until(page, question) {
-  while (!await page.evaluate(question)) await sleep(100);
-}
-
-// Times of frames and of the first one. before: run in the page before each frame.
-async function visit(browser, url, before = '') {
+// Times of frames and of the first one. slide: whether terrain.height changes before each frame.
+async function visit(browser, url, slide) {
   const page = await open(browser, url);
   await until(page, () => watched.first > 0);
-  if (before === 'slide') await page.evaluate(() => { watched.before = now => terrella.set('terrain.height', 300 + 20 * Math.sin(now)); });
-  const frames = () => page.evaluate(() => watched.frames.length);
-  while (await frames() < warmUp + timed) await sleep(100);
+  if (slide) await page.evaluate(() => { watched.before = now => terrella.set('terrain.height', 300 + 20 * Math.sin(now)); });
+  await until(page, count => watched.frames.length >= count, warmUp + timed);
   const seen = await page.evaluate(() => watched);
   const stats = await page.evaluate(() => window.terrella?.stats());
   await page.context().close();
   return { frames: seen.frames.slice(warmUp, warmUp + timed), first: seen.first, stats };
 }
 
-// Visits the pages in turn, several times.
+// Visits the pages in turn, several times. visits: of each its address, and whether its slider moves.
 async function compare(browser, visits) {
   const all = visits.map(() => ({ frames: [], firsts: [] }));
   for (let round = 0; round < rounds; ++round) {
-    for (const [i, [url, before]] of visits.entries()) {
-      const { frames, first, stats } = await visit(browser, url, before);
+    for (const [i, [url, slide]] of visits.entries()) {
+      const { frames, first, stats } = await visit(browser, url, slide);
       all[i].frames.push(...frames);
       all[i].firsts.push(first);
       all[i].stats = stats;
@@ -104,22 +98,36 @@ async function timePresets(browser, url) {
   return rows;
 }
 
-// Time that each program of the default view takes to compile and link, and for its first draw.
+// Runs in a page before its own scripts: notes the two shaders of each program.
+function noteShaders() {
+  const { shaderSource, attachShader } = WebGL2RenderingContext.prototype;
+  const texts = new Map(), programs = new Map();
+  window.shaderPairs = () => [...programs.values()].filter(stages => stages.length === 2);
+  WebGL2RenderingContext.prototype.shaderSource = function (shader, text) { texts.set(shader, text); shaderSource.call(this, shader, text); };
+  WebGL2RenderingContext.prototype.attachShader = function (program, shader) {
+    programs.set(program, [...programs.get(program) ?? [], texts.get(shader)]);
+    attachShader.call(this, program, shader);
+  };
+}
+
+// Views that need all programs of planets between them.
+const views = ['', '?preset=storm', '?preset=alps', '?preset=moon', '?preset=archipelago&camera.altitude=0.05'];
+
+// The most time that a program takes to compile and link, and for its first draw.
 async function timePrograms(browser, url) {
+  const pairs = new Map();
+  for (const view of views) {
+    const page = await browser.newPage();
+    await page.addInitScript(noteShaders);
+    await page.goto(url + view);
+    await page.evaluate(() => terrella.ready);
+    for (const pair of await page.evaluate(() => shaderPairs())) pairs.set(pair.join(), pair);
+    await page.close();
+  }
   const page = await browser.newPage();
-  await page.addInitScript(() => {
-    const { shaderSource, attachShader } = WebGL2RenderingContext.prototype;
-    const texts = new Map();
-    window.programs = new Map();
-    WebGL2RenderingContext.prototype.shaderSource = function (shader, text) { texts.set(shader, text); shaderSource.call(this, shader, text); };
-    WebGL2RenderingContext.prototype.attachShader = function (program, shader) {
-      programs.set(program, [...programs.get(program) ?? [], texts.get(shader)]);
-      attachShader.call(this, program, shader);
-    };
-  });
-  await page.goto(url);
+  await page.goto(url + '?pause=1');
   await page.evaluate(() => terrella.ready);
-  const times = await page.evaluate(() => [...programs.values()].filter(stages => stages.length === 2).map(([vertex, fragment]) => {
+  const times = await page.evaluate(all => all.map(([vertex, fragment]) => {
     const gl = document.createElement('canvas').getContext('webgl2');
     const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     gl.clear(gl.COLOR_BUFFER_BIT);
@@ -152,7 +160,7 @@ async function timePrograms(browser, url) {
     const drawn = performance.now();
     gl.getExtension('WEBGL_lose_context').loseContext();
     return [linked - start, drawn - ready];
-  }));
+  }), [...pairs.values()]);
   await page.close();
   return [Math.max(...times.map(t => t[0])), Math.max(...times.map(t => t[1]))];
 }
@@ -174,7 +182,7 @@ async function growth(browser, url, frames) {
 
 async function bench(driver, url, yardstick) {
   const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--hide-scrollbars', '--use-gl=angle', '--disable-frame-rate-limit', '--disable-gpu-vsync', ...drivers[driver]] });
-  const [y, page, slide] = await compare(browser, [[yardstick], [url], [url, 'slide']]);
+  const [y, page, slide] = await compare(browser, [[yardstick, false], [url, false], [url, true]]);
   const inY = time => `${ms(time)} = ${(time / y.frame).toFixed(2)} Y`;
   console.log(`\n${driver}, ${viewport.width}x${viewport.height}: Y is ${ms(y.frame)}`);
   console.log(`default, everything moving, with the panel: ${inY(page.frame)}, ${page.stats.triangles} triangles, ${page.stats.programs.length} programs, ${(page.stats.gpu_bytes / 1e6).toFixed(1)} MB`);
@@ -182,7 +190,7 @@ async function bench(driver, url, yardstick) {
   console.log(`first frame: ${ms(page.first)}, that of Y's page ${ms(y.first)}: ${(page.first / y.first).toFixed(2)} times`);
   for (const { name, time, triangles } of await timePresets(browser, url)) console.log(`${name}: ${inY(time)}, ${triangles} triangles`);
   const [linked, drawn] = await timePrograms(browser, url);
-  console.log(`programs: compiled and linked in at most ${ms(linked)} each, first draw at most ${ms(drawn)}`);
+  console.log(`programs of all views: compiled and linked in at most ${ms(linked)} each, first draw at most ${ms(drawn)}`);
   const [before, after] = await growth(browser, url, 10_000);
   console.log(`GPU memory after 500 frames ${before} bytes, the most in 10,000 frames ${after} bytes`);
   await browser.close();

@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { chromium } from 'playwright-core';
+import { executablePath, sleep, until } from './browser.mjs';
 import { serve } from './serve.mjs';
 
 const dist = process.env.TERRELLA_DIST;
-const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const size = { width: 320, height: 240 };
 
@@ -52,17 +52,6 @@ async function look(page) {
     }
     return { brightness: sum / pixels.length / 0.75 / 255, colors: colors.size };
   }, png);
-}
-
-const sleep = ms => new Promise(done => setTimeout(done, ms));
-
-// Asks the page until it says yes. (Playwright's own waiting is forbidden by the page's security policy.)
-async function until(page, question, argument) {
-  for (let i = 0; i < 600; ++i) {
-    if (await page.evaluate(question, argument)) return;
-    await sleep(100);
-  }
-  throw new Error('waited in vain for ' + question);
 }
 
 describe('the page', () => {
