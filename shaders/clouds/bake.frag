@@ -19,7 +19,11 @@ void main() {
   for (int i = 0; i < octaves; ++i) {
     vec4 pair = turns[i >> 1];
     vec2 turn = (i & 1) == 0 ? pair.xy : pair.zw;
-    sum += flow_layer(direction, frequency, amplitude, clouds_warp, turn, i, seed, warp);
+    vec3 place = flow_place(direction, frequency, clouds_warp, warp, i, seed);
+    // Where warp has drawn a layer out, the map may be too coarse for its cells.
+    vec3 right = dFdx(place), up = dFdy(place);
+    float texel = sqrt(dot(right, right) + dot(up, up));
+    sum += flow_layer(place, amplitude * (1.0 - smoothstep(0.5, 0.8, texel)), turn, i, seed, warp);
     total += amplitude;
     frequency *= 2.0;
     amplitude *= clouds_persistence;

@@ -1,12 +1,15 @@
 // Clouds as flow noise on a sphere (Sandahl 2022, equation 18).
 #include "lib/noise.glsl"
 
-// One layer on top of those before: returns its share and adds its gradient to the warp that stirs the next ones. turn:
-// cosine and sine of the angle by which its gradients are turned.
-float flow_layer(vec3 direction, float frequency, float amplitude, float strength, vec2 turn, int layer, uint seed,
-                 inout vec3 warp) {
-  vec3 q = direction * frequency + strength * warp + layer_offset(layer, seed);
-  Noise n = turned_noise(ivec3(0), q, turn, layer_seed(layer, seed));
+// Where a layer is asked for its noise, in its cells: the gradients of those before it (warp) stir it.
+vec3 flow_place(vec3 direction, float frequency, float strength, vec3 warp, int layer, uint seed) {
+  return direction * frequency + strength * warp + layer_offset(layer, seed);
+}
+
+// One layer at its place: returns its share and adds its gradient to the warp that stirs the next ones. turn: cosine and
+// sine of the angle by which its gradients are turned.
+float flow_layer(vec3 place, float amplitude, vec2 turn, int layer, uint seed, inout vec3 warp) {
+  Noise n = turned_noise(ivec3(0), place, turn, layer_seed(layer, seed));
   warp += amplitude * n.gradient;
   return amplitude * n.value;
 }

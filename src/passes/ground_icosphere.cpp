@@ -139,14 +139,13 @@ void GroundIcosphere::draw(const Frame& frame) {
   const double lowest = std::min_element(surface.ranges.begin(), surface.ranges.end(), lower)->lowest;
   // Seen from above, water hides what lies under it, troughs included: where they are deep, the ground is deeper
   // (shoal_of).
-  const double still_water = lowest_still_water(frame);
-  const bool above_water = glm::length(frame.pose.eye) > water.highest;
+  const double shown = glm::length(frame.pose.eye) > water.highest ? lowest_still_water(frame) : 0.0;
   std::vector<float> tops;
   tops.reserve(group_count);
   for (const RadiusRange& range : surface.ranges) {
-    tops.push_back(above_water && range.highest < still_water ? 0.0F : static_cast<float>(range.highest));
+    tops.push_back(range.highest < shown ? 0.0F : static_cast<float>(range.highest));
   }
-  surface.mesh.draw(visible_groups(sight_of(frame), std::max(lowest, water.lowest), tops));
+  surface.mesh.draw(visible_groups(sight_of(frame), std::max(lowest, water.lowest), tops), shown);
 }
 
 }  // namespace terrella

@@ -244,6 +244,38 @@ TEST(Distance, IsThatOfTheSphereWhereTheGroundIsFlat) {
   EXPECT_GT(hits, 500);
 }
 
+// What lies under water is left out, triangle by triangle: nowhere may one look through the planet for it.
+TEST(Distance, IsThatOfTheNearSideWhateverWavesHide) {
+  Studio studio;
+  for (const char* name : {"temperate", "archipelago", "storm", "lava"}) {
+    Scene scene = find_preset(name)->scene;
+    StillOptions options = small(240, 135);
+    for (const double amplitude : {0.0, 0.004, 0.02}) {
+      scene.waves.count = amplitude > 0.0 ? 8 : 0;
+      scene.waves.amplitude = amplitude;
+      options.seconds += 3.7;
+      const Image distance = take_measurement(studio.renderer, scene, options, Channel::distance);
+      View view;
+      view.width = options.width;
+      view.height = options.height;
+      view.seconds = options.seconds;
+      const Pose pose = pose_of(scene, view);
+      int hits = 0;
+      for (int y = 0; y < options.height; ++y) {
+        for (int x = 0; x < options.width; ++x) {
+          const glm::dvec3 ray = ray_through(pose, view, {x + 0.5, y + 0.5});
+          const double along = -glm::dot(pose.eye, ray);
+          const glm::dvec3 foot = pose.eye + along * ray;
+          if (glm::dot(foot, foot) > 0.98) continue;  // lower than that no flat triangle dips
+          ++hits;
+          EXPECT_LT(double{distance.at(x, y)[0]}, along) << name << ' ' << amplitude << " at " << x << ' ' << y;
+        }
+      }
+      EXPECT_GT(hits, 2000) << name;
+    }
+  }
+}
+
 TEST(Extremes, OfEveryParameterGiveFinitePictures) {
   Studio studio;
   StillOptions tiny = small(16, 9);
