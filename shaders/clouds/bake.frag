@@ -22,8 +22,8 @@ void main() {
     vec3 place = flow_place(direction, frequency, clouds_warp, warp, i, seed);
     // Where warp has drawn a layer out, the map may be too coarse for its cells.
     vec3 right = dFdx(place), up = dFdy(place);
-    float texel = sqrt(dot(right, right) + dot(up, up));
-    sum += flow_layer(place, amplitude * (1.0 - smoothstep(0.5, 0.8, texel)), turn, i, seed, warp);
+    float shown = layer_weight(1.0, sqrt(0.5 * (dot(right, right) + dot(up, up))));
+    sum += flow_layer(place, amplitude * shown, turn, i, seed, warp);
     total += amplitude;
     frequency *= 2.0;
     amplitude *= clouds_persistence;

@@ -63,12 +63,6 @@ float layer_mean(bool ridged) {
   return ridged ? 0.69 : 0.5;
 }
 
-// How much of a layer a grid or a picture can show, 0..1: all of it from four samples a cell on, nothing below two.
-// frequency: cells per radian; footprint: distance of neighbouring samples, rad.
-float layer_weight(float frequency, float footprint) {
-  return 1.0 - smoothstep(0.25, 0.5, frequency * footprint);
-}
-
 // The ground at a direction (unit), without what samples a footprint (rad) apart can't show.
 Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
   float amplitude = 1.0;

@@ -137,3 +137,9 @@ vec3 layer_offset(int layer, uint seed) {
 uint layer_seed(int layer, uint seed) {
   return seed * 32u + uint(layer);
 }
+
+// How much of a layer a grid or a picture can show, 0..1: all of it from four samples a cell on, nothing below two.
+// frequency: cells per radian; footprint: distance of neighbouring samples, rad.
+float layer_weight(float frequency, float footprint) {
+  return 1.0 - smoothstep(0.25, 0.5, frequency * footprint);
+}
