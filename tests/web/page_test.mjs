@@ -188,6 +188,24 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('comes although its context was lost before there was a program', async () => {
+    const page = await open('?panel=0&pause=1&preset=moon', { script: () => {
+      const getContext = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (...how) {
+        HTMLCanvasElement.prototype.getContext = getContext;
+        const made = getContext.apply(this, how);
+        const loser = made.getExtension('WEBGL_lose_context');
+        loser.loseContext();
+        setTimeout(() => loser.restoreContext(), 1500);
+        return made;
+      };
+    } });
+    const seen = await look(page);
+    assert.ok(seen.brightness > 0.02, JSON.stringify(seen));
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('shows its panel, which can be hidden', async () => {
     const page = await open('?pause=1', { viewport: { width: 800, height: 500 } });
     await sleep(500);

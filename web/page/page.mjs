@@ -141,17 +141,26 @@ function listen() {
   });
   addEventListener('resize', fit);
   new ResizeObserver(fit).observe(canvas);
-  canvas.addEventListener('webglcontextlost', event => {
-    event.preventDefault();
-    canvas.lost = true;
-    program._terrella_context_lost();
-  });
-  canvas.addEventListener('webglcontextrestored', () => {
-    canvas.lost = false;
-    program._terrella_start();
-    fit();
-  });
 }
+
+// Whatever lies on the GPU is made here: at first, and again when a context that was lost has come back, even one that was
+// lost before there was a program.
+function begin() {
+  if (!program || canvas.lost) return;
+  if (!program._terrella_start()) {
+    return fail('Terrella draws into float textures, which this graphics driver does not offer.');
+  }
+  fit();
+}
+canvas.addEventListener('webglcontextlost', event => {
+  event.preventDefault();
+  canvas.lost = true;
+  program?._terrella_context_lost();
+});
+canvas.addEventListener('webglcontextrestored', () => {
+  canvas.lost = false;
+  begin();
+});
 
 function loadText(text) {
   const sentences = JSON.parse(textOf('load_json', text));
@@ -265,11 +274,8 @@ async function start() {
   if (location.search) for (const sentence of JSON.parse(textOf('load_link', location.search))) call('add_notice', ['string'], [sentence]);
   if (page.get('panel') === '0') program._terrella_show_panel(0);
   if (page.get('pause') === '1') program._terrella_set_paused(1);
-  if (!program._terrella_start()) {
-    return fail('Terrella draws into float textures, which this graphics driver does not offer.');
-  }
   listen();
-  fit();
+  begin();
 }
 
 start();
