@@ -63,7 +63,20 @@ void Screen::begin() const {
   glViewport(0, 0, width, height);
 }
 
+namespace {
+
+// Browsers clear a canvas that they have shown before the first draw or clear that follows, but not before a blit: they
+// would clear what was copied. So a clear comes before it; of one pixel, which costs nothing.
+void claim(const Screen& screen) {
+  const Scissors corner(0, 0, 1, 1);
+  screen.begin();
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+}  // namespace
+
 void copy(const Target& picture, const Screen& screen) {
+  claim(screen);
   const int w = picture.image().width(), h = picture.image().height();
   const bool same = w == screen.width && h == screen.height;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());

@@ -206,6 +206,17 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('keeps the whole picture while only the panel is drawn again', async () => {
+    const page = await open('?panel=0&pause=1&preset=moon');
+    await sleep(1000);
+    const before = await look(page);
+    await page.focus('canvas');
+    await page.keyboard.press('x');
+    await sleep(500);
+    assert.deepEqual(await look(page), before);
+    await page.context().close();
+  });
+
   test('shows its panel, which can be hidden', async () => {
     const page = await open('?pause=1', { viewport: { width: 800, height: 500 } });
     await sleep(500);
