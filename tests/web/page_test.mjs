@@ -119,6 +119,27 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('follows fingers: one turns the planet, two come nearer', async () => {
+    const page = await open('?panel=0&pause=1', { hasTouch: true });
+    const touch = await page.context().newCDPSession(page);
+    const send = (type, ...places) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+    const camera = name => page.evaluate(path => terrella.get(path), 'camera.' + name);
+
+    const [longitude, altitude] = [await camera('longitude'), await camera('altitude')];
+    await send('touchStart', [160, 120]);
+    for (let x = 155; x >= 120; x -= 5) await send('touchMove', [x, 120]);
+    await send('touchEnd');
+    await until(page, before => terrella.get('camera.longitude') > before + 1, longitude);
+    assert.equal(await camera('altitude'), altitude);
+
+    await send('touchStart', [150, 120], [170, 120]);
+    for (let d = 12; d <= 40; d += 4) await send('touchMove', [160 - d, 120], [160 + d, 120]);
+    await send('touchEnd');
+    await until(page, before => terrella.get('camera.altitude') < 0.7 * before, altitude);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('draws nothing while the clock stands and nobody touches it', async () => {
     const page = await open('?panel=0&pause=1');
     const frames = () => page.evaluate(() => terrella.stats().frames);
