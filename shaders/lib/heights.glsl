@@ -1,4 +1,5 @@
 // The height of the ground: layers of noise, shaped (Sandahl 2022, equations 1 to 6).
+#include "lib/craters.glsl"
 #include "lib/noise.glsl"
 
 struct Terrain {
@@ -11,6 +12,7 @@ struct Terrain {
   bool ridged;
   float sharpness;  // k of the smooth absolute value, 0..1000
   uint seed;
+  Craters craters;  // dug into the sum of layers
 };
 
 // A height and how it changes over the unit sphere (radii per radian along each axis, not yet made tangential).
@@ -85,6 +87,13 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
     frequency *= t.lacunarity;
   }
   float h = total > 0.0 ? sum / total : 0.0;
+  if (t.craters.depth > 0.0 && t.height > 0.0) {
+    float dug = 0.0;
+    vec3 slope = vec3(0.0);
+    add_craters(direction, t.craters, footprint, dug, slope);
+    h += dug / t.height;
+    gradient += (total / t.height) * slope;
+  }
   Height ground;
   ground.value = t.octaves > 0 ? height_power(h, t.height, t.power) : 0.0;
   ground.gradient = total > 0.0 ? gradient * (height_power_slope(h, t.height, t.power) / total) : vec3(0.0);

@@ -75,27 +75,27 @@ void GroundIcosphere::make_coarse(const Frame& frame) {
   bake(frame, coarse_bake_, *coarse_map_, CubeBake::rows(coarse_ground_texels));
   begun_key_.reset();
   coarse_ = std::exchange(begun_, {});
-  noise_evaluations_ += static_cast<std::int64_t>(coarse_->positions.size()) * frame.scene.terrain.octaves;
+  noise_evaluations_ += static_cast<std::int64_t>(coarse_->positions.size()) * noise_per_height(frame.scene);
   coarse_done_ = true;
 }
 
 void GroundIcosphere::advance_fine(const Frame& frame) {
   const bool at_once = frame.effort == Effort::complete;
-  const int octaves = std::max(1, key_->terrain.octaves);
+  const int noise_each = noise_per_height(frame.scene);
   const Icosphere& sphere = spheres_.geometry(key_->level);
   if (!fine_map_ || fine_map_->side() != key_->texels) {
     fine_map_ = std::make_unique<gl::CubeMap>(key_->texels, gl::Format::rgba16f);
   }
   if (!fine_bake_.done(*fine_map_)) {
-    const auto rows = static_cast<int>(map_noise_a_frame / (std::int64_t{key_->texels} * octaves));
+    const auto rows = static_cast<int>(map_noise_a_frame / (std::int64_t{key_->texels} * noise_each));
     bake(frame, fine_bake_, *fine_map_, at_once ? CubeBake::rows(key_->texels) : rows);
   }
   if (fine_positions_.size() < sphere.directions.size()) {
-    const auto share = static_cast<std::size_t>(mesh_noise_a_frame / octaves);
+    const auto share = static_cast<std::size_t>(mesh_noise_a_frame / noise_each);
     const std::size_t end = at_once ? sphere.directions.size() : fine_positions_.size() + share;
     const std::size_t before = fine_positions_.size();
     displace(frame.scene, key_->level, std::min(end, sphere.directions.size()), fine_positions_);
-    noise_evaluations_ += static_cast<std::int64_t>(fine_positions_.size() - before) * octaves;
+    noise_evaluations_ += static_cast<std::int64_t>(fine_positions_.size() - before) * noise_each;
   }
   const bool all_there = fine_positions_.size() == sphere.directions.size();
   if (fine_bake_.done(*fine_map_) && all_there) {
@@ -107,7 +107,7 @@ void GroundIcosphere::advance_fine(const Frame& frame) {
 void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows) {
   bake_program_.use();
   bake_program_.set("texel_angle", static_cast<float>(texel_angle(map.side())));
-  noise_evaluations_ += bake.advance(bake_program_, map, rows) * frame.scene.terrain.octaves;
+  noise_evaluations_ += bake.advance(bake_program_, map, rows) * noise_per_height(frame.scene);
 }
 
 void GroundIcosphere::displace(const Scene& scene, int level, std::size_t end, std::vector<glm::vec3>& positions) {

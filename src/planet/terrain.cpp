@@ -1,5 +1,7 @@
 #include "planet/terrain.hpp"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "planet/icosphere.hpp"
@@ -18,7 +20,16 @@ f32::Terrain terrain_of(const Scene& scene) {
   terrain.ridged = from.ridged;
   terrain.sharpness = static_cast<float>(from.ridge_sharpness);
   terrain.seed = static_cast<unsigned>(scene.planet.seed);
+  terrain.craters.depth = static_cast<float>(from.craters);
+  terrain.craters.frequency = static_cast<float>(from.crater_frequency);
+  terrain.craters.sizes = from.crater_sizes;
+  terrain.craters.seed = static_cast<unsigned>(scene.planet.seed);
   return terrain;
+}
+
+int noise_per_height(const Scene& scene) {
+  const auto& terrain = scene.terrain;
+  return std::max(1, terrain.octaves + (terrain.craters > 0.0 ? 3 * terrain.crater_sizes : 0));
 }
 
 double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, double edge) {

@@ -142,6 +142,10 @@ TEST(SinglePrecision, TerrainHeight) {
   t.ridged = false;
   t.sharpness = 14.0F;
   t.seed = 3U;
+  t.craters.depth = 1.0F;
+  t.craters.frequency = 2.0F;
+  t.craters.sizes = 6;
+  t.craters.seed = 3U;
   f64::Terrain d;
   d.height = exact(t.height);
   d.frequency = exact(t.frequency);
@@ -152,6 +156,10 @@ TEST(SinglePrecision, TerrainHeight) {
   d.ridged = t.ridged;
   d.sharpness = exact(t.sharpness);
   d.seed = t.seed;
+  d.craters.depth = 1.0;
+  d.craters.frequency = 2.0;
+  d.craters.sizes = 6;
+  d.craters.seed = 3U;
   double worst = 0.0, worst_gradient = 0.0;
   for (int i = 0; i < tries / 4; ++i) {
     const glm::vec3 direction(places.on_sphere());

@@ -21,6 +21,10 @@ f64::Terrain hills() {
   t.ridged = false;
   t.sharpness = 14.0;
   t.seed = 3U;
+  t.craters.depth = 0.0;
+  t.craters.frequency = 3.0;
+  t.craters.sizes = 5;
+  t.craters.seed = 3U;
   return t;
 }
 
@@ -86,6 +90,7 @@ TEST(TerrainHeight, StaysBetweenTheSphereAndItsHighest) {
   for (const bool ridged : {false, true}) {
     f64::Terrain t = hills();
     t.ridged = ridged;
+    t.craters.depth = ridged ? 0.0 : 1.0;
     for (int i = 0; i < 20'000; ++i) {
       const double h = f64::terrain_height_at(places.on_sphere(), t, 0.0).value;
       ASSERT_GE(h, 0.0);
@@ -99,6 +104,7 @@ TEST(TerrainHeight, GradientIsTheDerivativeAlongTheSphere) {
   for (const bool ridged : {false, true}) {
     f64::Terrain t = hills();
     t.ridged = ridged;
+    t.craters.depth = ridged ? 0.0 : 1.0;
     for (int i = 0; i < 5000; ++i) {
       const glm::dvec3 d = places.on_sphere();
       const f64::Height ground = f64::terrain_height_at(d, t, 0.002);
