@@ -32,14 +32,15 @@ float cloud_over(vec3 direction) {
   return cloud_thickness(cloud_noise(direction), clouds_coverage, clouds_softness);
 }
 
-// Part of the sunlight that the clouds leave at a place under them.
+// Part of the sunlight that the clouds leave at a place; all of it above them.
 float cloud_shade(vec3 place) {
   if (cloud_turn.w == 0.0 || clouds_shadow == 0.0) return 1.0;
   vec3 sun = sun_direction.xyz;
   float climb = dot(place, sun);
   float reach = (1.0 + clouds_height) * (1.0 + clouds_height) - dot(place, place);
   float way = reach / (max(climb, 0.0) + sqrt(max(climb * climb + reach, 1.0e-8)));
-  return 1.0 - 0.85 * clouds_shadow * clouds_density * cloud_over(normalize(place + way * sun));
+  float under = step(0.0, reach);
+  return 1.0 - 0.85 * under * clouds_shadow * clouds_density * cloud_over(normalize(place + way * sun));
 }
 
 // The light that reaches a place.

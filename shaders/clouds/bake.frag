@@ -3,6 +3,8 @@
 #include "lib/clouds.glsl"
 
 uniform int octaves;
+uniform int cyclones;
+uniform vec4 cyclone[cyclone_count];  // xyz: eye; w: radius
 uniform vec4 turns[6];  // cosine and sine of the angle by which each layer's gradients are turned, two layers in each
 
 in vec3 cube_direction;
@@ -10,6 +12,8 @@ out vec4 fragment;
 
 void main() {
   vec3 direction = normalize(cube_direction);
+  float belt = clouds_belts * cloud_belt(direction.z);
+  for (int i = 0; i < cyclones; ++i) direction = unwound(direction, cyclone[i], 3.0 * clouds_swirl);
   uint seed = uint(planet_seed) + 5021u;
   vec3 warp = vec3(0.0);
   float frequency = clouds_frequency;
@@ -29,5 +33,5 @@ void main() {
     amplitude *= clouds_persistence;
   }
   // Every channel: the caller masks the one that is meant.
-  fragment = vec4(noise_to_map(total > 0.0 ? sum / total : 0.0));
+  fragment = vec4(noise_to_map((total > 0.0 ? sum / total : 0.0) + 0.22 * belt));
 }

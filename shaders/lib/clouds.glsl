@@ -1,6 +1,39 @@
 // Clouds as flow noise on a sphere (Sandahl 2022, equation 18).
 #include "lib/noise.glsl"
 
+// At most so many cyclones stir the clouds of a planet.
+const int cyclone_count = 10;
+
+// Cyclone i of a planet. xyz: its eye (unit), 15 to 50 degrees from the equator, north and south by turns; w: its radius,
+// as a chord of the unit sphere.
+vec4 cyclone_place(int i, uint seed) {
+  uint h = hash_cell(ivec3(i, 3, 29), seed);
+  float sine = mix(0.26, 0.77, float(h & 1023u) / 1023.0);
+  float longitude = 6.283185307179586 * float((h >> 10) & 1023u) / 1024.0;
+  float level = sqrt(1.0 - sine * sine);
+  return vec4(level * cos(longitude), level * sin(longitude), (i & 1) == 0 ? sine : -sine,
+              mix(0.28, 0.62, float((h >> 20) & 1023u) / 1023.0));
+}
+
+// Where the air at a direction (unit) was before a cyclone wound it up, unit. turn: tangent of half the angle by which its
+// eye has turned; it winds with the sun's way in the south and against it in the north, as on earth.
+vec3 unwound(vec3 direction, vec4 cyclone, float turn) {
+  vec3 eye = vec3(cyclone.x, cyclone.y, cyclone.z);
+  float along = dot(direction, eye);
+  float near = max(1.0 - (2.0 - 2.0 * along) / (cyclone.w * cyclone.w), 0.0);
+  float t = (cyclone.z > 0.0 ? -turn : turn) * near * near;
+  // Rodrigues' rotation around the eye, with the cosine and sine of twice the arc tangent of t.
+  float share = 2.0 / (1.0 + t * t);
+  return direction + share * t * cross(eye, direction) + share * t * t * (along * eye - direction);
+}
+
+// How much more than elsewhere rises along the equator and at 60 degrees, and less at 30 degrees and the poles, -1..1. It
+// is the cosine of six times the latitude. sine: of the latitude.
+float cloud_belt(float sine) {
+  float c = 1.0 - 2.0 * sine * sine;
+  return c * (4.0 * c * c - 3.0);
+}
+
 // Where a layer is asked for its noise, in its cells: the gradients of those before it (warp) stir it.
 vec3 flow_place(vec3 direction, float frequency, float strength, vec3 warp, int layer, uint seed) {
   return direction * frequency + strength * warp + layer_offset(layer, seed);

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "formulas/formulas.hpp"
 #include "planet/spheres.hpp"
 
 namespace terrella {
@@ -28,8 +29,15 @@ bool CloudsShell::ready() { return bake_program_.ready() && draw_program_.ready(
 void CloudsShell::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const auto& clouds = frame.scene.clouds;
-  const Key key = {frame.scene.planet.seed,   clouds.frequency,        clouds.persistence, clouds.warp, clouds.speed,
-                   frame.needs.cloud_octaves, frame.needs.cloud_texels};
+  const Key key = {frame.scene.planet.seed,
+                   clouds.frequency,
+                   clouds.persistence,
+                   clouds.warp,
+                   clouds.swirl,
+                   clouds.belts,
+                   clouds.speed,
+                   frame.needs.cloud_octaves,
+                   frame.needs.cloud_texels};
   if (!key_ || *key_ != key) {
     key_ = key;
     steps_.fill(std::nullopt);
@@ -118,11 +126,22 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
     const double angle = std::ldexp(frame.scene.clouds.speed * seconds, i);
     turns.at(static_cast<std::size_t>(i)) = glm::vec2(std::cos(angle), std::sin(angle));
   }
+  set_cyclones(frame.scene);
   for (std::size_t i = 0; i < turns.size(); i += 2) {
     const std::string name = "turns[" + std::to_string(i / 2) + "]";
     bake_program_.set(name.c_str(), turns[i].x, turns[i].y, turns[i + 1].x, turns[i + 1].y);
   }
   noise_evaluations_ += bake.advance(bake_program_, map, rows) * octaves;
+}
+
+void CloudsShell::set_cyclones(const Scene& scene) {
+  const int count = scene.clouds.swirl > 0.0 ? f32::cyclone_count : 0;
+  bake_program_.set("cyclones", count);
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "cyclone[" + std::to_string(i) + "]";
+    const glm::vec4 place = f32::cyclone_place(i, static_cast<unsigned>(scene.planet.seed));
+    bake_program_.set(name.c_str(), place.x, place.y, place.z, place.w);
+  }
 }
 
 void CloudsShell::bind_map(double level) { (coarse_in_use_ ? coarse_ : fine_)->bind(gl::unit_clouds, level); }
