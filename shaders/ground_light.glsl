@@ -3,8 +3,24 @@
 #include "lib/ground.glsl"
 #include "lib/heights.glsl"
 
-// xyz: gradient of the height over the unit sphere; w: height over the water, radii.
+// xyz: gradient of the height over the unit sphere, along the sphere, and upward the openness; w: height over the water,
+// radii.
 uniform samplerCube ground_map;
+
+// What the map holds of a place.
+struct GroundAt {
+  vec3 gradient;   // of the height over the unit sphere, along the sphere
+  float openness;  // 0..1
+  float height;    // over the water, radii
+};
+
+GroundAt ground_at(vec4 map, vec3 up) {
+  GroundAt ground;
+  ground.openness = dot(map.xyz, up);
+  ground.gradient = map.xyz - ground.openness * up;
+  ground.height = map.w;
+  return ground;
+}
 
 Bands scene_bands() {
   Bands b;
@@ -18,15 +34,17 @@ Bands scene_bands() {
   b.snow_height = terrain_snow_height;
   b.softness = terrain_softness;
   b.slope_rock = terrain_slope_rock;
+  b.thinning = terrain_thinning;
   b.snow_sine = levels.x;
   return b;
 }
 
-// Colour of the ground without light. height: over the water; gradient: of the height; normal: of the ground.
-vec3 ground_albedo(vec3 up, float height, vec3 gradient, vec3 normal) {
+// Colour of the ground without light, darker in hollows. normal: of the ground.
+vec3 ground_albedo(vec3 up, GroundAt ground, vec3 normal) {
   // The gradient's share along a fixed axis changes its sign from place to place: enough to break up lines.
-  float variation = clamp(dot(gradient, vec3(0.61, -0.52, 0.60)) * 0.8, -1.0, 1.0);
-  return ground_color(height, 1.0 - dot(up, normal), up.z, variation, scene_bands());
+  float variation = clamp(dot(ground.gradient, vec3(0.61, -0.52, 0.60)) * 0.8, -1.0, 1.0);
+  vec3 color = ground_color(ground.height, 1.0 - dot(up, normal), up.z, variation, scene_bands());
+  return color * mix(1.0, 0.5 + 0.8 * ground.openness, terrain_hollows);
 }
 
 // Light that the ground sends to the eye. shade: part of the sunlight left by the clouds.

@@ -6,15 +6,15 @@ in vec3 surface_from_eye;
 
 vec3 surface_position() { return eye_position() + surface_from_eye; }
 
-// map: of the ground at the place; gradient: of the height over the unit sphere, as fine as the pixels.
-void emit_ground(vec4 map, vec3 gradient) {
+// ground: at the place, its gradient as fine as the pixels.
+void emit_ground(GroundAt ground) {
   vec3 place = surface_position();
   float radius = length(place);
   vec3 up = place / radius;
-  vec3 normal = surface_normal(up, radius, gradient);
-  vec3 albedo = ground_albedo(up, map.w, gradient, normal);
+  vec3 normal = surface_normal(up, radius, ground.gradient);
+  vec3 albedo = ground_albedo(up, ground, normal);
   // Just under water the light has come through some of it; further down the water hides the ground.
-  albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * map.w);
+  albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * ground.height);
   LightAt at = light_at(up, radius - 1.0);
   vec3 light = through_air(ground_light(albedo, normal, at, cloud_shade(place)), at, surface_from_eye);
   emit_surface(light, surface_from_eye, normal, radius - 1.0);

@@ -1,4 +1,4 @@
-// Fills a face of the map of the ground: gradient of the height, and height over the water.
+// Fills a face of the map of the ground; ground_light.glsl says what it holds.
 #include "scene_block.glsl"
 #include "lib/heights.glsl"
 
@@ -29,5 +29,5 @@ void main() {
   vec3 direction = normalize(cube_direction);
   Height ground = terrain_height_at(direction, scene_terrain(), texel_angle);
   vec3 tangential = ground.gradient - dot(ground.gradient, direction) * direction;
-  fragment = vec4(tangential, ground.value - water_level);
+  fragment = vec4(tangential + ground.openness * direction, ground.value - water_level);
 }

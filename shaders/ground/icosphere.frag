@@ -2,6 +2,6 @@
 #include "ground_surface.glsl"
 
 void main() {
-  vec4 map = textureLod(ground_map, normalize(surface_position()), levels.z);
-  emit_ground(map, map.xyz);
+  vec3 up = normalize(surface_position());
+  emit_ground(ground_at(textureLod(ground_map, up, levels.z), up));
 }

@@ -50,7 +50,8 @@ vec3 shaped(vec3 gradient, float height) {
 
 void main() {
   vec3 up = normalize(surface_position());
-  vec4 map = textureLod(ground_map, up, levels.z);
+  GroundAt ground = ground_at(textureLod(ground_map, up, levels.z), up);
   float footprint = pixel_footprint(up, surface_from_eye, 0.12);
-  emit_ground(map, map.xyz + shaped(fine_gradient(surface_from_eye, footprint), map.w + sea.x - 1.0));
+  ground.gradient += shaped(fine_gradient(surface_from_eye, footprint), ground.height + sea.x - 1.0);
+  emit_ground(ground);
 }

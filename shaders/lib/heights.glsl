@@ -19,6 +19,7 @@ struct Terrain {
 struct Height {
   float value;
   vec3 gradient;
+  float openness;  // 0..1: below a half in hollows, above it on crests
 };
 
 // x tanh(k x): |x| without its edge (5). k >= 0; total, where the printed form overflows for k|x| > 88.
@@ -65,12 +66,20 @@ float layer_mean(bool ridged) {
   return ridged ? 0.69 : 0.5;
 }
 
+// How open a place is whose layers, all but the coarsest, lift it by relief: the sum of their heights, each divided by the
+// width of its hills. Stands for the part of the sky that is seen, without looking around.
+float openness_of(float relief) {
+  float x = 10.0 * relief;
+  return 0.5 + 0.5 * x / sqrt(1.0 + x * x);
+}
+
 // The ground at a direction (unit), without what samples a footprint (rad) apart can't show.
 Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
   float amplitude = 1.0;
   float frequency = t.frequency;
   float total = 0.0;
   float sum = 0.0;
+  float relief = 0.0;
   vec3 gradient = vec3(0.0);
   for (int i = 0; i < t.octaves; ++i) {
     float shown = layer_weight(frequency, footprint);
@@ -82,6 +91,7 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
       gradient += amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
     }
     sum += amplitude * value;
+    if (i > 0) relief += amplitude * frequency * (value - mean);
     total += amplitude;
     amplitude *= t.persistence;
     frequency *= t.lacunarity;
@@ -93,10 +103,13 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
     add_craters(direction, t.craters, footprint, dug, slope);
     h += dug / t.height;
     gradient += (total / t.height) * slope;
+    relief += total / t.height * dug * t.craters.frequency;
   }
   Height ground;
   ground.value = t.octaves > 0 ? height_power(h, t.height, t.power) : 0.0;
-  ground.gradient = total > 0.0 ? gradient * (height_power_slope(h, t.height, t.power) / total) : vec3(0.0);
+  float steepened = total > 0.0 ? height_power_slope(h, t.height, t.power) / total : 0.0;
+  ground.gradient = gradient * steepened;
+  ground.openness = openness_of(relief * steepened);
   return ground;
 }
 

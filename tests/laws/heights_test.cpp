@@ -118,6 +118,41 @@ TEST(TerrainHeight, GradientIsTheDerivativeAlongTheSphere) {
   }
 }
 
+TEST(Openness, RisesFromNoneToAllThroughAHalf) {
+  EXPECT_EQ(f64::openness_of(0.0), 0.5);
+  double before = 0.0;
+  for (double relief = -3.0; relief < 3.0; relief += 0.01) {
+    const double openness = f64::openness_of(relief);
+    ASSERT_GT(openness, before);
+    ASSERT_LT(openness, 1.0);
+    ASSERT_NEAR(openness + f64::openness_of(-relief), 1.0, 1e-12);
+    before = openness;
+  }
+}
+
+// What is called a hollow lies below the mean of what is around it.
+TEST(Openness, IsLowInHollowsAndHighOnCrests) {
+  Places places(26U);
+  const f64::Terrain t = hills();
+  double low = 0.0, high = 0.0;
+  int lows = 0, highs = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const glm::dvec3 d = places.on_sphere();
+    const f64::Height here = f64::terrain_height_at(d, t, 0.002);
+    const glm::dvec3 east = glm::normalize(glm::cross(d, places.on_sphere())), north = glm::cross(d, east);
+    double around = 0.0;
+    for (const glm::dvec3& side : {east, -east, north, -north}) {
+      around += 0.25 * f64::terrain_height_at(glm::normalize(d + 0.03 * side), t, 0.002).value;
+    }
+    const double above = here.value - around;
+    if (above < -0.002) low += here.openness, ++lows;
+    if (above > 0.002) high += here.openness, ++highs;
+  }
+  ASSERT_GT(std::min(lows, highs), 200);
+  EXPECT_LT(low / lows, 0.33);    // measured 0.309
+  EXPECT_GT(high / highs, 0.71);  // measured 0.737
+}
+
 TEST(TerrainHeight, WithoutOctavesOrHeightIsTheSphere) {
   f64::Terrain t = hills();
   t.octaves = 0;
