@@ -2,20 +2,21 @@
 #include "scene_block.glsl"
 #include "frame_block.glsl"
 #include "lib/air.glsl"
+#include "square_corner.glsl"
 
 layout(location = 0) in vec4 star;   // xyz: direction; w: brightness
 layout(location = 1) in vec4 color;
 
 uniform vec2 picture_size;  // pixels
 
-out vec3 star_light;
-out vec2 star_place;  // in radii of the star
+out vec3 square_light;
+out vec2 square_place;  // in radii of the star
 
 void main() {
   vec4 place = clip_from_eye * vec4(star.xyz, 0.0);
   // A dim star is not smaller than a pixel, but dimmer: it does not twinkle as it moves over the pixels.
   float star_radius = stars_size * (0.8 + 0.8 * star.w);
-  star_light = color.rgb * stars_brightness * (0.10 + 2.2 * star.w);
+  square_light = color.rgb * stars_brightness * (0.10 + 2.2 * star.w);
   if (ripple.z > 0.0) {
     // Hidden by the planet's air; seen from within, by the daylight.
     float top = 1.0 + air_height;
@@ -24,13 +25,10 @@ void main() {
     float inside = 1.0 - smoothstep(0.9 * air_height, air_height, eye_high.w);
     float from_within = exp(-6.0 * air_density * smoothstep(-0.25, 0.1, dot(up, sun_direction.xyz))) *
                         smoothstep(0.0, 0.3, dot(up, star.xyz));
-    star_light *= mix(path.leave > path.enter ? 0.0 : 1.0, from_within, inside);
+    square_light *= mix(path.leave > path.enter ? 0.0 : 1.0, from_within, inside);
   }
-  // Two triangles: corners 0 1 2 and 1 3 2 of the square.
-  int corner_of = gl_VertexID % 6;
-  int c = corner_of < 3 ? corner_of : corner_of == 3 ? 1 : corner_of == 4 ? 3 : 2;
-  vec2 corner = vec2(float(c & 1), float(c >> 1)) * 2.0 - 1.0;
-  star_place = 2.0 * corner;
+  vec2 corner = square_corner();
+  square_place = 2.0 * corner;
   place.xy += corner * 4.0 * star_radius / picture_size * place.w;
   gl_Position = vec4(place.xy, place.w, place.w);  // at the far plane
 }

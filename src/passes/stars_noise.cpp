@@ -39,33 +39,26 @@ void StarsNoise::update(const Frame& frame) {
   StarSky sky = find_stars(frame.scene);
   noise_evaluations_ = sky.noise_evaluations;
   stars_ = std::move(sky.stars);
-  shown_.clear();
-  squares_.set({});
+  squares_.forget();
 }
 
-void StarsNoise::choose(const Frame& frame) {
+std::vector<std::size_t> StarsNoise::choose(const Frame& frame) const {
   const Cone picture = cone_of_picture(frame), planet = cone_of_planet(frame);
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < stars_.size(); ++i) {
     if (picture.holds(stars_[i].direction) && !planet.holds(stars_[i].direction)) shown.push_back(i);
   }
-  if (shown == shown_) return;
-  std::vector<float> data;
-  data.reserve(shown.size() * 8);
-  for (const std::size_t i : shown) {
-    const glm::vec3 &d = stars_[i].direction, &c = stars_[i].color;
-    data.insert(data.end(), {d.x, d.y, d.z, stars_[i].brightness, c.r, c.g, c.b, 0.0F});
-  }
-  squares_.set(data);
-  shown_ = std::move(shown);
+  return shown;
 }
 
 void StarsNoise::draw(const Frame& frame) {
   if (!key_) return;
-  choose(frame);
   program_->use();
   program_->set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
-  squares_.draw();
+  squares_.draw(choose(frame), [&](std::size_t i, std::vector<float>& data) {
+    const glm::vec3 &d = stars_[i].direction, &c = stars_[i].color;
+    data.insert(data.end(), {d.x, d.y, d.z, stars_[i].brightness, c.r, c.g, c.b, 0.0F});
+  });
 }
 
 }  // namespace terrella

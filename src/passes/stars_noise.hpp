@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gl/late_program.hpp"
-#include "gl/mesh.hpp"
+#include "passes/chosen_squares.hpp"
 #include "passes/frame.hpp"
 #include "planet/stars.hpp"
 
@@ -20,7 +20,8 @@ class StarsNoise {
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
-  void choose(const Frame& frame);
+  // Places in stars_ of those that the picture shows.
+  [[nodiscard]] std::vector<std::size_t> choose(const Frame& frame) const;
 
   struct Key {
     double density;
@@ -31,8 +32,7 @@ class StarsNoise {
   gl::LateProgram program_{"stars/noise"};
   std::optional<Key> key_;  // of the stars found, none before
   std::vector<Star> stars_;
-  std::vector<std::size_t> shown_;  // places in stars_
-  gl::Squares squares_{2};
+  ChosenSquares squares_{2};
   std::int64_t noise_evaluations_ = 0;
 };
 

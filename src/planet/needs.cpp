@@ -169,6 +169,16 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
                  : "clouds.speed is 0");
 }
 
+void decide_night(Needs& needs, const Scene& scene, Decisions& decide) {
+  const bool lit = scene.lights.density > 0.0 && scene.lights.brightness > 0.0;
+  const bool lights = lit && needs.ground != Ground::none;
+  needs.night = lights ? NightSide::lights : NightSide::none;
+  decide.add("night", name_of(needs.night),
+             lights ? "found once for a ground and drawn as points where it is dark"
+             : lit  ? "there is no ground for lights to stand on"
+                    : "lights.density or brightness is 0: there is nothing to see");
+}
+
 void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
   const bool air = scene.air.model != model_none && scene.air.density > 0.0 && scene.air.height > 0.0;
   needs.air = air ? Air::fresnel : Air::none;
@@ -200,6 +210,7 @@ std::string_view name_of(Water technique) {
 }
 std::string_view name_of(Clouds technique) { return technique == Clouds::none ? "none" : "shell"; }
 std::string_view name_of(Air technique) { return technique == Air::none ? "none" : "fresnel"; }
+std::string_view name_of(NightSide technique) { return technique == NightSide::none ? "none" : "lights"; }
 std::string_view name_of(Stars technique) { return technique == Stars::none ? "none" : "noise"; }
 
 double texel_angle(int texels) { return 2.0 / texels; }
@@ -225,6 +236,7 @@ Needs needs_of(const Scene& scene, const View& view, const Pose& pose) {
   decide_ground(needs, scene, pose, decide);
   decide_water(needs, scene, view, pose, decide);
   decide_clouds(needs, scene, pose, decide);
+  decide_night(needs, scene, decide);
   decide_rest(needs, scene, decide);
   needs.moving = anything_moves(needs, scene);
   return needs;

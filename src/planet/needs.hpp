@@ -14,12 +14,14 @@ enum class Water { none, calm, waves };
 enum class Clouds { none, shell };
 enum class Air { none, fresnel };
 enum class Stars { none, noise };
+enum class NightSide { none, lights };
 
 std::string_view name_of(Ground technique);
 std::string_view name_of(Water technique);
 std::string_view name_of(Clouds technique);
 std::string_view name_of(Air technique);
 std::string_view name_of(Stars technique);
+std::string_view name_of(NightSide technique);
 
 struct Decision {
   std::string what;    // "clouds.octaves"
@@ -33,6 +35,7 @@ struct Needs {
   Clouds clouds = Clouds::none;
   Air air = Air::none;
   Stars stars = Stars::none;
+  NightSide night = NightSide::none;
 
   int ground_level = 0;         // icosphere level of the finished ground
   double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii

@@ -79,6 +79,7 @@ void Renderer::choose_techniques() {
   clouds_.choose(needs_.clouds, spheres_);
   air_.choose(needs_.air);
   stars_.choose(needs_.stars);
+  night_.choose(needs_.night);
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
 }
@@ -110,6 +111,7 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   if (shot.channel == Channel::color) {
     draw_veils();
     if (stars_) stars_->draw(frame);
+    if (night_) night_->draw(frame);
     if (air_) air_->draw(frame);
     if (clouds_) clouds_->draw(frame);
     draw_flat();
@@ -130,6 +132,10 @@ void Renderer::update_slots(const Frame& frame) {
   if (stars_) {
     stars_->update(frame);
     noise_evaluations_ += stars_->noise_evaluations();
+  }
+  if (night_) {
+    night_->update(frame);
+    noise_evaluations_ += night_->noise_evaluations();
   }
   const int per_pixel =
       needs_.pixel_octaves_end - needs_.pixel_octaves_first + (needs_.water == Water::calm && needs_.ripples ? 2 : 0);
@@ -182,7 +188,8 @@ void Renderer::show(const gl::Screen& screen, bool antialias) {
 bool Renderer::whole() const { return (!stars_ || stars_->settled()) && picture_.settled(); }
 
 bool Renderer::settled() const {
-  return whole() && (!ground_ || ground_->settled()) && (!clouds_ || clouds_->settled());
+  return whole() && (!night_ || night_->settled()) && (!ground_ || ground_->settled()) &&
+         (!clouds_ || clouds_->settled());
 }
 
 RenderStats Renderer::stats() const {

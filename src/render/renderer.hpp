@@ -11,6 +11,7 @@
 #include "passes/clouds_shell.hpp"
 #include "passes/frame.hpp"
 #include "passes/ground_icosphere.hpp"
+#include "passes/night_lights.hpp"
 #include "passes/picture.hpp"
 #include "passes/sea.hpp"
 #include "passes/stars_noise.hpp"
@@ -77,6 +78,7 @@ class Renderer {
   Slot<Clouds, CloudsShell> clouds_;
   Slot<Air, AirFresnel> air_;
   Slot<Stars, StarsNoise> stars_;
+  Slot<NightSide, NightLights> night_;
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;
   gl::CubeMap no_ground_;  // all sea

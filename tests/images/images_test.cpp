@@ -64,6 +64,28 @@ struct Studio {
   Renderer renderer;
 };
 
+TEST(Lights, ShowOnTheNightSideAndNotByDay) {
+  Studio studio;
+  Scene scene = find_preset("temperate")->scene;
+  scene.clouds.coverage = 0.0;
+  Scene dark = scene;
+  dark.lights.density = 0.0;
+  for (const bool night : {false, true}) {
+    scene.camera.longitude = dark.camera.longitude = night ? 122.0 : -58.0;  // under the sun, and opposite
+    scene.camera.latitude = dark.camera.latitude = night ? -16.0 : 16.0;
+    const Image with = take_picture(studio.renderer, scene, small(320, 180));
+    const std::size_t programs = studio.renderer.stats().programs.size();
+    const Image without = take_picture(studio.renderer, dark, small(320, 180));
+    EXPECT_EQ(studio.renderer.stats().programs.size() + 1, programs);  // what is not wanted is not held
+    if (night) {
+      EXPECT_GT(mean(with), 1.01 * mean(without));
+      EXPECT_GT(largest_difference(with, without), 0.2);
+    } else {
+      EXPECT_EQ(largest_difference(with, without), 0.0);
+    }
+  }
+}
+
 TEST(Pictures, AreTheSameFromDesktopAndEmbeddedOpenGl) {
   for (const char* name : {"temperate", "storm", "moon", "lava"}) {
     const Scene& scene = find_preset(name)->scene;

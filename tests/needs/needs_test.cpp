@@ -95,6 +95,12 @@ const Case cases[] = {
     {"air of no height", [](Scene& s) { s.air.height = 0.0; }, [](const Needs& n) { return n.air == Air::none; }},
     {"no stars", [](Scene& s) { s.stars.density = 0.0; }, [](const Needs& n) { return n.stars == Stars::none; }},
     {"dark stars", [](Scene& s) { s.stars.brightness = 0.0; }, [](const Needs& n) { return n.stars == Stars::none; }},
+    {"lights at night", [](Scene&) {}, [](const Needs& n) { return n.night == NightSide::lights; }},
+    {"no lights", [](Scene& s) { s.lights.density = 0.0; }, [](const Needs& n) { return n.night == NightSide::none; }},
+    {"dark lights", [](Scene& s) { s.lights.brightness = 0.0; },
+     [](const Needs& n) { return n.night == NightSide::none; }},
+    {"lights without a ground", [](Scene& s) { s.terrain.model = choice("terrain.model", "none"); },
+     [](const Needs& n) { return n.night == NightSide::none; }},
     {"time that stands moves nothing", [](Scene& s) { s.time.speed = 0.0; }, [](const Needs& n) { return !n.moving; }},
     {"nothing that moves",
      [](Scene& s) {
