@@ -1,6 +1,6 @@
 # What there is to do here; `make help` lists it. Set-up is scripts/setup.sh, building is CMake's (CMakePresets.json).
 
-.PHONY: help run test native bench format clean setup-% build-%
+.PHONY: help run test native bench gallery format clean setup-% build-%
 .NOTPARALLEL:
 
 help:
@@ -8,6 +8,7 @@ help:
 	@echo "make test     build all and run every test"
 	@echo "make native   build the desktop program, build/native/terrella"
 	@echo "make bench    measure speed, memory and size of both"
+	@echo "make gallery  draw every preset for docs/gallery.md"
 	@echo "make format   lay out the C++ files as .clang-format says"
 	@echo "make clean    remove all that was built"
 	@echo "Each installs first what it misses, by the system's package manager."
@@ -25,6 +26,9 @@ test: setup-test build-native build-sanitize build-web
 bench: setup-bench build-native build-web tests/web/node_modules/.package-lock.json
 	build/native/bench/terrella_bench
 	node bench/page_bench.mjs
+
+gallery: native
+	scripts/gallery.sh build/native/terrella
 
 format: setup-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
