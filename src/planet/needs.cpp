@@ -10,6 +10,7 @@
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
 #include "planet/spheres.hpp"
+#include "planet/sun.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
 
@@ -179,6 +180,16 @@ void decide_night(Needs& needs, const Scene& scene, Decisions& decide) {
                     : "lights.density or brightness is 0: there is nothing to see");
 }
 
+void decide_sun(Needs& needs, const Scene& scene, const View& view, const Pose& pose, Decisions& decide) {
+  const bool shines = scene.sun.intensity > 0.0 && (scene.sun.size > 0.0 || scene.sun.glare > 0.0);
+  const bool seen = shines && sun_in_picture(scene, view, pose, scene.sun.glare > 0.0);
+  needs.sun = seen ? SunImage::disc : SunImage::none;
+  decide.add("sun", name_of(needs.sun),
+             seen     ? "the sun or its glare is in the picture"
+             : shines ? "the sun is beside the picture"
+                      : "sun.intensity, or both size and glare, are 0: there is nothing to see");
+}
+
 void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
   const bool air = scene.air.model != model_none && scene.air.density > 0.0 && scene.air.height > 0.0;
   needs.air = air ? Air::fresnel : Air::none;
@@ -211,6 +222,7 @@ std::string_view name_of(Water technique) {
 std::string_view name_of(Clouds technique) { return technique == Clouds::none ? "none" : "shell"; }
 std::string_view name_of(Air technique) { return technique == Air::none ? "none" : "fresnel"; }
 std::string_view name_of(NightSide technique) { return technique == NightSide::none ? "none" : "lights"; }
+std::string_view name_of(SunImage technique) { return technique == SunImage::none ? "none" : "disc"; }
 std::string_view name_of(Stars technique) { return technique == Stars::none ? "none" : "noise"; }
 
 double texel_angle(int texels) { return 2.0 / texels; }
@@ -237,6 +249,7 @@ Needs needs_of(const Scene& scene, const View& view, const Pose& pose) {
   decide_water(needs, scene, view, pose, decide);
   decide_clouds(needs, scene, pose, decide);
   decide_night(needs, scene, decide);
+  decide_sun(needs, scene, view, pose, decide);
   decide_rest(needs, scene, decide);
   needs.moving = anything_moves(needs, scene);
   return needs;

@@ -15,6 +15,7 @@ enum class Clouds { none, shell };
 enum class Air { none, fresnel };
 enum class Stars { none, noise };
 enum class NightSide { none, lights };
+enum class SunImage { none, disc };
 
 std::string_view name_of(Ground technique);
 std::string_view name_of(Water technique);
@@ -22,6 +23,7 @@ std::string_view name_of(Clouds technique);
 std::string_view name_of(Air technique);
 std::string_view name_of(Stars technique);
 std::string_view name_of(NightSide technique);
+std::string_view name_of(SunImage technique);
 
 struct Decision {
   std::string what;    // "clouds.octaves"
@@ -36,6 +38,7 @@ struct Needs {
   Air air = Air::none;
   Stars stars = Stars::none;
   NightSide night = NightSide::none;
+  SunImage sun = SunImage::none;
 
   int ground_level = 0;         // icosphere level of the finished ground
   double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii

@@ -49,6 +49,12 @@ void draw_veils() {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
+// Before all that has a depth.
+void draw_overlays() {
+  draw_veils();
+  glDisable(GL_DEPTH_TEST);
+}
+
 void draw_flat() {
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
@@ -80,6 +86,7 @@ void Renderer::choose_techniques() {
   air_.choose(needs_.air);
   stars_.choose(needs_.stars);
   night_.choose(needs_.night);
+  sun_.choose(needs_.sun);
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
 }
@@ -111,9 +118,12 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   if (shot.channel == Channel::color) {
     draw_veils();
     if (stars_) stars_->draw(frame);
+    if (sun_) sun_->draw_disc(frame);
     if (night_) night_->draw(frame);
     if (air_) air_->draw(frame);
     if (clouds_) clouds_->draw(frame);
+    draw_overlays();
+    if (sun_) sun_->draw_glare(frame);
     draw_flat();
     picture_.develop(light_->image());
   }
@@ -137,6 +147,7 @@ void Renderer::update_slots(const Frame& frame) {
     night_->update(frame);
     noise_evaluations_ += night_->noise_evaluations();
   }
+  if (sun_) sun_->update(frame);
   const int per_pixel =
       needs_.pixel_octaves_end - needs_.pixel_octaves_first + (needs_.water == Water::calm && needs_.ripples ? 2 : 0);
   noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
@@ -188,7 +199,7 @@ void Renderer::show(const gl::Screen& screen, bool antialias) {
 bool Renderer::whole() const { return (!stars_ || stars_->settled()) && picture_.settled(); }
 
 bool Renderer::settled() const {
-  return whole() && (!night_ || night_->settled()) && (!ground_ || ground_->settled()) &&
+  return whole() && (!night_ || night_->settled()) && (!sun_ || sun_->settled()) && (!ground_ || ground_->settled()) &&
          (!clouds_ || clouds_->settled());
 }
 

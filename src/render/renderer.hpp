@@ -15,6 +15,7 @@
 #include "passes/picture.hpp"
 #include "passes/sea.hpp"
 #include "passes/stars_noise.hpp"
+#include "passes/sun_disc.hpp"
 #include "render/slot.hpp"
 
 namespace terrella {
@@ -79,6 +80,7 @@ class Renderer {
   Slot<Air, AirFresnel> air_;
   Slot<Stars, StarsNoise> stars_;
   Slot<NightSide, NightLights> night_;
+  Slot<SunImage, SunDisc> sun_;
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;
   gl::CubeMap no_ground_;  // all sea

@@ -64,6 +64,23 @@ struct Studio {
   Renderer renderer;
 };
 
+TEST(Sun, ShowsItsDiscAndGlareBesideThePlanetAndNothingBehindIt) {
+  Studio studio;
+  Scene scene = find_preset("moon")->scene;
+  scene.stars.density = 0.0;
+  scene.camera.latitude = scene.camera.longitude = 0.0;
+  scene.camera.altitude = 1.0;
+  scene.camera.heading = -90.0;
+  scene.camera.pitch = -60.0;
+  scene.sun.latitude = 0.0;
+  scene.sun.longitude = -144.0;  // six degrees off the limb
+  const Image beside = take_picture(studio.renderer, scene, small());
+  EXPECT_EQ(*std::max_element(beside.pixels.begin(), beside.pixels.end()), 1.0F);
+  EXPECT_GT(mean(beside), 0.02);
+  scene.sun.longitude = -170.0;
+  EXPECT_LT(mean(take_picture(studio.renderer, scene, small())), 0.01);
+}
+
 TEST(Lights, ShowOnTheNightSideAndNotByDay) {
   Studio studio;
   Scene scene = find_preset("temperate")->scene;

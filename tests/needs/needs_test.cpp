@@ -101,6 +101,19 @@ const Case cases[] = {
      [](const Needs& n) { return n.night == NightSide::none; }},
     {"lights without a ground", [](Scene& s) { s.terrain.model = choice("terrain.model", "none"); },
      [](const Needs& n) { return n.night == NightSide::none; }},
+    {"the sun beside the picture", [](Scene&) {}, [](const Needs& n) { return n.sun == SunImage::none; }},
+    {"the sun in the picture",
+     [](Scene& s) {
+       s.sun.latitude = 0.0;
+       s.sun.longitude = 180.0;
+     },
+     [](const Needs& n) { return n.sun == SunImage::disc; }},
+    {"a sun that is not to be seen",
+     [](Scene& s) {
+       s.sun.longitude = 180.0;
+       s.sun.size = s.sun.glare = 0.0;
+     },
+     [](const Needs& n) { return n.sun == SunImage::none; }},
     {"time that stands moves nothing", [](Scene& s) { s.time.speed = 0.0; }, [](const Needs& n) { return !n.moving; }},
     {"nothing that moves",
      [](Scene& s) {

@@ -1,0 +1,14 @@
+// The sun as the eye sees it. Angles from its middle are given as tangents.
+
+// The disc, 0..1, with an edge about as wide as a pixel. radius, pixel: > 0.
+float disc_of_sun(float away, float radius, float pixel) {
+  return 1.0 - smoothstep(radius - pixel, radius + pixel, away);
+}
+
+// Glare around the disc, as in an eye or a lens: 1 in the middle, about the inverse square of the angle further out, and
+// none from reach on. radius, reach: > 0.
+float glare_of_sun(float away, float radius, float reach) {
+  float x = away / radius;
+  float end = max(1.0 - away / reach, 0.0);
+  return end * end / (1.0 + 0.5 * x * x);
+}

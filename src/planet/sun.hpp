@@ -1,0 +1,18 @@
+// The sun as a picture shows it. It stands at infinity.
+#pragma once
+
+#include "planet/pose.hpp"
+
+namespace terrella {
+
+// Tangent of the angle from the sun's middle at which its glare ends.
+inline constexpr double glare_reach = 0.5;
+
+// Part of the sun's disc that the solid planet leaves free, 0..1: 1 in front of it and beside it. solid: radius of what
+// hides it, planet radii, 0: nothing does.
+double free_part_of_sun(const Scene& scene, const Pose& pose, double solid);
+
+// Whether the disc, or also its glare, reaches into the picture.
+bool sun_in_picture(const Scene& scene, const View& view, const Pose& pose, bool with_glare);
+
+}  // namespace terrella
