@@ -4,6 +4,7 @@
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/imgui_input.hpp"
@@ -21,6 +22,11 @@ constexpr std::size_t frames_timed = 60;
 constexpr double wheel_zoom = 1.18;  // a notch
 constexpr std::ptrdiff_t most_notices = 24;
 
+// Of hands. What frame() is told stands still while nothing is drawn.
+double seconds_by_the_clock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace
 
 struct Session::PanelPainter {
@@ -34,6 +40,7 @@ Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContex
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
   style_panel(static_cast<float>(scale_));
+  history_.start({document_, opened_});
 }
 
 Session::~Session() {
@@ -102,6 +109,7 @@ void Session::pointer_button(Button button, bool down) {
   if (down && panel_shown_ && renderer_) run_panel();
   imgui_input::button(static_cast<int>(button), down);
   panel_frames_ = 3;
+  if (down) history_.begin();
   if (!down) {
     if (drag_ == Drag::turn) camera_.release(now_ - last_drag_time_);
     drag_ = Drag::none;
@@ -121,6 +129,7 @@ void Session::pointer_left() {
 
 void Session::wheel(double notches) {
   panel_frames_ = 3;
+  go_on_by(History::Means::wheel);
   if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) {
     imgui_input::wheel(notches);
   } else {
@@ -142,6 +151,11 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
   imgui_input::key(key, down, modifiers);
   panel_frames_ = 3;
   const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
+  if (down && !typing) go_on_by(History::Means::keys);
+  if (down && !typing && modifiers.control) {
+    if (key == Key::z) modifiers.shift ? redo() : undo();
+    if (key == Key::y) redo();
+  }
   if (down && !typing && !modifiers.control) {
     keys_down_.insert(key);
     keys_tapped_.insert(key);
@@ -151,6 +165,11 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
     keys_down_.erase(key);
   }
   update_pushes();
+}
+
+// In the middle of a press, notches and taps belong to it.
+void Session::go_on_by(History::Means means) {
+  if (!hand_is_busy()) history_.go_on(means, seconds_by_the_clock());
 }
 
 void Session::update_pushes() {
@@ -259,7 +278,9 @@ void Session::note_frame_time(double now) {
 void Session::run_panel() {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width_ * scale_), static_cast<float>(height_ * scale_)};
-  io.DeltaTime = 1.0F / 60.0F;
+  const double now = seconds_by_the_clock();
+  io.DeltaTime = static_cast<float>(std::clamp(now - panel_ran_, 0.001, 1.0));  // tells two clicks from a double click
+  panel_ran_ = now;
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
@@ -270,10 +291,13 @@ void Session::run_panel() {
 
 void Session::obey(const PanelWishes& wishes) {
   if (wishes.scene_replaced) camera_.stop();
+  if (wishes.preset_chosen) opened_ = document_;
   if (wishes.scene_changed || wishes.scene_replaced) scene_was_changed();
   // The hand has left a value: now the finer ground can come.
   if (hand_on_value_ && !wishes.dragging) planet_stale_ = true;
   hand_on_value_ = wishes.dragging;
+  if (wishes.undo) undo();
+  if (wishes.redo) redo();
   if (wishes.paused) set_paused(*wishes.paused);
   if (wishes.seconds) set_seconds(*wishes.seconds);
   if (wishes.copy_link && host_.copy_text) host_.copy_text(to_link(document_));
@@ -289,6 +313,8 @@ PanelFacts Session::facts() const {
   const RenderStats work = renderer_->stats();
   facts.seconds = seconds_;
   facts.paused = paused_;
+  facts.can_undo = history_.can_undo();
+  facts.can_redo = history_.can_redo();
   facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;
   facts.triangles = work.triangles;
   facts.gpu_bytes = work.gpu_bytes;
@@ -303,33 +329,55 @@ PanelFacts Session::facts() const {
 // The scene
 
 void Session::scene_was_changed() {
+  history_.note({document_, opened_}, seconds_by_the_clock());
   planet_stale_ = true;
   panel_frames_ = std::max(panel_frames_, 2);
   if (host_.scene_changed) host_.scene_changed();
+}
+
+// What is opened before the first picture is the beginning: nothing leads back from it.
+void Session::open(const SceneDocument& loaded) {
+  document_ = opened_ = loaded;
+  camera_.stop();
+  if (frames_ == 0) history_.start({document_, opened_});
+  history_.begin();
+  scene_was_changed();
+}
+
+void Session::undo() {
+  if (history_.can_undo() && !hand_is_busy()) return_to(history_.undo());
+}
+
+void Session::redo() {
+  if (history_.can_redo() && !hand_is_busy()) return_to(history_.redo());
+}
+
+void Session::return_to(const Snapshot& snapshot) {
+  document_ = snapshot.document;
+  opened_ = snapshot.opened;
+  camera_.stop();
+  scene_was_changed();
 }
 
 std::vector<std::string> Session::load_json(const std::string& text) {
   SceneDocument loaded;
   const Issues issues = terrella::load_json(loaded, text);
   if (!issues.empty() && loaded == SceneDocument{}) return issues.sentences();  // nothing applies: keep what is there
-  document_ = loaded;
-  camera_.stop();
-  scene_was_changed();
+  open(loaded);
   return issues.sentences();
 }
 
 std::vector<std::string> Session::load_link(const std::string& link) {
   SceneDocument loaded;
   const Issues issues = terrella::load_link(loaded, link);
-  document_ = loaded;
-  camera_.stop();
-  scene_was_changed();
+  open(loaded);
   return issues.sentences();
 }
 
 std::string Session::set(const std::string& path, const std::string& text) {
   const std::optional<Issue> issue = assign_text(document_.scene, path, text);
   if (issue) return issue->text();
+  go_on_by(History::Means::calls);
   scene_was_changed();
   return {};
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/camera_control.hpp"
+#include "app/history.hpp"
 #include "app/input.hpp"
 #include "base/image.hpp"
 #include "panel/panel.hpp"
@@ -70,6 +71,9 @@ class Session {
   std::vector<std::string> load_link(const std::string& link);
   // A sentence if the value was refused, else nothing. text: as in a link.
   std::string set(const std::string& path, const std::string& text);
+  // One step back or ahead; nothing where there is none, or while a hand is in the middle of a change.
+  void undo();
+  void redo();
 
   void set_paused(bool paused);
   void set_seconds(double seconds);
@@ -91,6 +95,10 @@ class Session {
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
   void scene_was_changed();
+  void open(const SceneDocument& loaded);
+  void return_to(const Snapshot& snapshot);
+  bool hand_is_busy() const { return drag_ != Drag::none || hand_on_value_; }
+  void go_on_by(History::Means means);
   void update_pushes();
   void run_panel();
   void obey(const PanelWishes& wishes);
@@ -102,6 +110,8 @@ class Session {
 
   Host host_;
   SceneDocument document_;
+  SceneDocument opened_;  // as it was when it was loaded
+  History history_;
   ImGuiContext* imgui_;
   std::unique_ptr<PanelPainter> painter_;  // from when the panel first runs in a context
   Panel panel_;
@@ -126,7 +136,8 @@ class Session {
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
   int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
   double now_ = 0.0;
-  bool at_rest_ = true;  // nothing moved after the last frame, so that the time until the next one does not count
+  double panel_ran_ = 0.0;  // s, by a clock of its own: between frames there may be long rests
+  bool at_rest_ = true;     // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
   std::optional<double> last_drawn_;
   std::deque<double> frame_ms_;

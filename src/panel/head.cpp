@@ -23,11 +23,38 @@ void preset_list(Sheet& sheet) {
   sheet.place("preset");
   if (!open) return tooltip(text_of(sheet.preset->about, '.'));
   for (const Preset& preset : presets()) {
-    if (ImGui::Selectable(preset.title.c_str(), &preset == sheet.preset)) sheet.start_from(preset);
+    if (ImGui::Selectable(preset.title.c_str(), &preset == sheet.preset)) {
+      sheet.start_from(preset);
+      sheet.wishes.preset_chosen = true;
+    }
     sheet.place("preset/", preset.name);
     tooltip(text_of(preset.about, '.'));
   }
   ImGui::EndCombo();
+}
+
+void title_row(Sheet& sheet) {
+  const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
+  const float width = std::min(points(48.0F), 0.22F * room);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Terrella");
+  continue_at_right(3.0F * width + 2.0F * space);
+  const auto button = [&](const char* name, const char* label, const char* help, bool enabled = true) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, {width, 0.0F});
+    ImGui::EndDisabled();
+    sheet.place(name);
+    tooltip(help);
+    return pressed;
+  };
+  const PanelFacts& facts = sheet.facts;
+  if (button("undo", "Undo", "Takes the last change back (Ctrl+Z).", facts.can_undo)) sheet.wishes.undo = true;
+  ImGui::SameLine();
+  if (button("redo", "Redo", "Brings back what was undone (Ctrl+Shift+Z).", facts.can_redo)) sheet.wishes.redo = true;
+  ImGui::SameLine();
+  if (button("fold", "Fold", "Folds the panel to a button in this corner. The key H hides it, and brings it back.")) {
+    sheet.memory.folded = true;
+  }
 }
 
 // Buttons of one width, three in a line.
@@ -74,12 +101,7 @@ std::string in_latin1(std::string text) {
 }  // namespace
 
 void head_section(Sheet& sheet) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Terrella");
-  continue_at_right(points(70.0F));
-  if (ImGui::Button("Fold", {points(70.0F), 0.0F})) sheet.memory.folded = true;
-  sheet.place("fold");
-  tooltip("Folds the panel to a button in this corner. The key H hides it, and brings it back.");
+  title_row(sheet);
   preset_list(sheet);
 
   ButtonGrid grid(sheet);

@@ -19,6 +19,7 @@ struct PanelFacts {
 
   double seconds = 0.0;  // of the planet's clock
   bool paused = false;
+  bool can_undo = false, can_redo = false;
   double frame_ms = 0.0;
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;
@@ -31,7 +32,9 @@ struct PanelFacts {
 struct PanelWishes {
   bool scene_changed = false;   // some parameter has another value
   bool scene_replaced = false;  // a preset was chosen or everything reset
-  bool dragging = false;        // the hand is still on a value
+  bool preset_chosen = false;
+  bool dragging = false;  // the hand is still on a value
+  bool undo = false, redo = false;
   std::optional<bool> paused;
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false, save_picture = false;
