@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t frames_timed = 60;
 constexpr double wheel_zoom = 1.18;  // a notch
 constexpr std::ptrdiff_t most_notices = 24;
+constexpr int frames_until_focus = 6;  // a panel that was hidden appears, then a field of it gets the keyboard
 
 // Of hands. What frame() is told stands still while nothing is drawn.
 double seconds_by_the_clock() {
@@ -185,6 +186,13 @@ void Session::update_pushes() {
 }
 
 void Session::text(unsigned codepoint) {
+  const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
+  if (codepoint == '/' && !typing) {
+    show_panel(true);
+    panel_.start_search();
+    panel_frames_ = frames_until_focus;
+    return;
+  }
   imgui_input::text(codepoint);
   panel_frames_ = 3;
 }

@@ -16,9 +16,16 @@ struct Typing {
   int frames_waited = 0;
 };
 
+// Which parameters are shown.
+struct Search {
+  std::array<char, 48> text{};
+  bool wanted = false;  // the field shall have the keyboard
+};
+
 struct PanelMemory {
   bool folded = false;  // to a button in its corner
   Typing typing;
+  Search search;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

@@ -56,6 +56,9 @@ class Panel {
   // the place of every widget drawn is added to it.
   PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
 
+  // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
+  void start_search();
+
  private:
   PanelMemory memory_;
 };

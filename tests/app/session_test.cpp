@@ -2,6 +2,7 @@
 #include "app/session.hpp"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <chrono>
 #include <thread>
@@ -143,6 +144,28 @@ TEST_F(SessionTest, WhatIsLoadedBeforeTheFirstPictureIsTheBeginning) {
   EXPECT_EQ(session.document(), (SceneDocument{find_preset("moon")->scene, "moon"}));
   tap(Key::z, control);
   EXPECT_EQ(session.document().preset, "storm");
+}
+
+TEST_F(SessionTest, ASlashSearchesAndThenTheKeysBelongToTheField) {
+  session.load_link("quality.resolution_scale=0.2");
+  session.resize(640, 400, 1.0);
+  settle();
+  drag();
+  settle();
+  const double dragged = longitude();
+  session.text('/');  // the panel is hidden, and comes
+  settle();
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  tap(Key::z, control);
+  session.key(Key::d, true, {});
+  frames(5);
+  session.key(Key::d, false, {});
+  EXPECT_EQ(longitude(), dragged);
+  tap(Key::escape);
+  settle();
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+  tap(Key::z, control);
+  EXPECT_NE(longitude(), dragged);
 }
 
 }  // namespace
