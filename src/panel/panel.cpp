@@ -12,6 +12,7 @@
 #include "panel/search.hpp"
 #include "panel/search_field.hpp"
 #include "panel/sheet.hpp"
+#include "panel/slider_hand.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -99,6 +100,7 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
     search_field(sheet);
     sections_below_search(sheet);
   }
+  note_scrolling(memory_.hand.wheel);
   ImGui::End();
   return sheet.wishes;
 }
