@@ -162,10 +162,34 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
     keys_tapped_.insert(key);
     if (key == Key::space) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
+    if (key == Key::c) compare(true);
   } else {
     keys_down_.erase(key);
+    if (key == Key::c) compare(false);
   }
   update_pushes();
+}
+
+void Session::keys_left() {
+  keys_down_.clear();
+  modifiers_ = {};
+  compare(false);
+  update_pushes();
+}
+
+void Session::compare(bool wanted) {
+  if (wanted == comparing_) return;
+  comparing_ = wanted;
+  planet_stale_ = true;
+  panel_frames_ = std::max(panel_frames_, 2);
+}
+
+Scene Session::shown() const {
+  if (!comparing_) return document_.scene;
+  Scene scene = opened_.scene;
+  scene.camera = document_.scene.camera;
+  scene.camera.altitude *= scene.planet.radius / document_.scene.planet.radius;
+  return scene;
 }
 
 // In the middle of a press, notches and taps belong to it.
@@ -218,7 +242,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (!renderer_) return turn;
   if (planet_stale_) {
     // A technique that is new to the scene compiles in the background; until then the last picture stays.
-    turn.progress = renderer_->prepare(document_.scene, view());
+    turn.progress = renderer_->prepare(shown(), view());
     turn.again = true;
     if (turn.progress < 1.0) return turn;
   }
@@ -260,7 +284,7 @@ void Session::advance_clock(double elapsed) {
 }
 
 void Session::draw_planet(double now) {
-  renderer_->draw(document_.scene, view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
+  renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
   planet_stale_ = false;
   ++frames_;
   note_frame_time(now);
@@ -321,6 +345,7 @@ PanelFacts Session::facts() const {
   const RenderStats work = renderer_->stats();
   facts.seconds = seconds_;
   facts.paused = paused_;
+  facts.comparing = comparing_;
   facts.can_undo = history_.can_undo();
   facts.can_redo = history_.can_redo();
   facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;

@@ -53,6 +53,7 @@ class Session {
   // Two fingers: factor of their distance, movement of their middle, around a place.
   void pinch(double factor, double dx, double dy, double x, double y);
   void key(Key key, bool down, Modifiers modifiers);
+  void keys_left();  // the keyboard has gone elsewhere: none is held any more
   void text(unsigned codepoint);
   void pasted(const std::string& text);
 
@@ -94,6 +95,9 @@ class Session {
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
+  // What is drawn: the scene or, while comparing, the planet as it was opened, seen from where the camera is now.
+  Scene shown() const;
+  void compare(bool wanted);
   void scene_was_changed();
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);
@@ -132,6 +136,7 @@ class Session {
   std::set<Key> keys_tapped_;  // since the camera last moved: a tap may be shorter than a frame
   Modifiers modifiers_;
   bool hand_on_value_ = false;
+  bool comparing_ = false;
 
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
   int panel_frames_ = 3;      // frames that the panel still needs to settle after an event

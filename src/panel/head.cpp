@@ -37,7 +37,9 @@ void title_row(Sheet& sheet) {
   const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
   const float width = std::min(points(48.0F), 0.22F * room);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Terrella");
+  const bool comparing = sheet.facts.comparing;
+  ImGui::TextUnformatted(comparing ? "As it was opened" : "Terrella");
+  sheet.place(comparing ? "title/compared" : "title");
   continue_at_right(3.0F * width + 2.0F * space);
   const auto button = [&](const char* name, const char* label, const char* help, bool enabled = true) {
     ImGui::BeginDisabled(!enabled);

@@ -20,6 +20,7 @@ struct PanelFacts {
   double seconds = 0.0;  // of the planet's clock
   bool paused = false;
   bool can_undo = false, can_redo = false;
+  bool comparing = false;  // the planet is shown as it was opened
   double frame_ms = 0.0;
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;

@@ -168,5 +168,43 @@ TEST_F(SessionTest, ASlashSearchesAndThenTheKeysBelongToTheField) {
   EXPECT_NE(longitude(), dragged);
 }
 
+TEST_F(SessionTest, WhileCIsHeldThePlanetIsAsItWasOpened) {
+  session.load_link("preset=moon");
+  const auto opened = pixels();
+  EXPECT_EQ(session.set("terrain.land_color", "ff0000"), "");
+  EXPECT_EQ(session.set("terrain.mountain_color", "ff0000"), "");
+  const SceneDocument document = session.document();
+  const auto changed = pixels();
+  ASSERT_NE(changed, opened);
+  const int told = changes;
+  session.key(Key::c, true, {});
+  EXPECT_EQ(pixels(), opened);
+  EXPECT_EQ(session.document(), document);
+  session.key(Key::c, false, {});
+  EXPECT_EQ(pixels(), changed);
+  EXPECT_EQ(changes, told);
+}
+
+TEST_F(SessionTest, ComparingEndsWhenTheKeyboardGoesElsewhere) {
+  session.load_link("preset=moon");
+  EXPECT_EQ(session.set("terrain.land_color", "ff0000"), "");
+  EXPECT_EQ(session.set("terrain.mountain_color", "ff0000"), "");
+  const auto changed = pixels();
+  session.key(Key::c, true, {});
+  EXPECT_NE(pixels(), changed);
+  session.keys_left();
+  EXPECT_EQ(pixels(), changed);
+}
+
+TEST_F(SessionTest, ComparingKeepsTheCamera) {
+  settle();
+  const auto opened = pixels();
+  drag();
+  const auto dragged = pixels();
+  ASSERT_NE(dragged, opened);
+  session.key(Key::c, true, {});
+  EXPECT_EQ(pixels(), dragged);
+}
+
 }  // namespace
 }  // namespace terrella

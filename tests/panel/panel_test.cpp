@@ -196,6 +196,15 @@ TEST_F(PanelTest, UndoAndRedoAreWishedWhereThereIsSomething) {
   EXPECT_TRUE(click("redo").redo);
 }
 
+TEST_F(PanelTest, SaysWhereThePlanetIsShownAsItWasOpened) {
+  const float below = place_of("preset").top;
+  facts.comparing = true;
+  frames(2);
+  EXPECT_EQ(count_of("title/compared"), 1);
+  EXPECT_LT(place_of("title/compared").right, place_of("undo").left);
+  EXPECT_EQ(place_of("preset").top, below);  // nothing jumps
+}
+
 TEST_F(PanelTest, FoldsToAButtonAndBack) {
   click("fold");
   frame();

@@ -131,6 +131,7 @@ function listen() {
   };
   canvas.addEventListener('keydown', key(true));
   canvas.addEventListener('keyup', key(false));
+  canvas.addEventListener('blur', () => { program._terrella_keys_left(); wake(); });
   document.addEventListener('paste', event => {
     call('pasted', ['string'], [event.clipboardData.getData('text')]);
     wake();
