@@ -211,14 +211,12 @@ void Session::update_pushes() {
 
 void Session::text(unsigned codepoint) {
   const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
-  if (codepoint == '/' && !typing) {
-    show_panel(true);
-    panel_.start_search();
-    panel_frames_ = frames_until_focus;
-    return;
-  }
-  imgui_input::text(codepoint);
   panel_frames_ = 3;
+  if (typing || (codepoint != '/' && codepoint != '?')) return imgui_input::text(codepoint);
+  show_panel(true);
+  if (codepoint == '/') panel_.start_search();
+  if (codepoint == '?') panel_.toggle_keys();
+  panel_frames_ = frames_until_focus;
 }
 
 void Session::pasted(const std::string& text) {

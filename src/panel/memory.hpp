@@ -45,7 +45,8 @@ struct Search {
 };
 
 struct PanelMemory {
-  bool folded = false;  // to a button in its corner
+  bool folded = false;      // to a button in its corner
+  bool keys_shown = false;  // the list of keys
   Typing typing;
   SliderHand hand;
   Search search;

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "panel/facts_view.hpp"
 #include "panel/head.hpp"
+#include "panel/keys_window.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/search.hpp"
 #include "panel/search_field.hpp"
@@ -102,6 +103,7 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   }
   note_scrolling(memory_.hand.wheel);
   ImGui::End();
+  keys_window(sheet);
   return sheet.wishes;
 }
 

@@ -60,6 +60,9 @@ class Panel {
   // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
   void start_search();
 
+  // Shows the list of keys, or closes it.
+  void toggle_keys() { memory_.keys_shown = !memory_.keys_shown; }
+
  private:
   PanelMemory memory_;
 };

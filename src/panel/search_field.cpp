@@ -18,7 +18,7 @@ void search_field(Sheet& sheet) {
                            ImGuiInputTextFlags_AutoSelectAll);
   sheet.place("search");
   // Elsewhere Escape belongs to whoever has the keyboard.
-  const bool mine = ImGui::IsItemDeactivated() || !ImGui::IsAnyItemActive();
+  const bool mine = ImGui::IsItemDeactivated() || !(sheet.memory.keys_shown || ImGui::IsAnyItemActive());
   bool clear = mine && ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   tooltip("Shows the parameters in whose name or description all these words occur (/). Escape clears it.");
   if (filled) {
