@@ -147,7 +147,7 @@ TEST_F(SessionTest, WhatIsLoadedBeforeTheFirstPictureIsTheBeginning) {
 }
 
 TEST_F(SessionTest, ASlashSearchesAndThenTheKeysBelongToTheField) {
-  session.load_link("quality.resolution_scale=0.2");
+  session.load_link("quality.resolution_scale=0.25");
   session.resize(640, 400, 1.0);
   settle();
   drag();
