@@ -110,13 +110,16 @@ void Session::pointer_button(Button button, bool down) {
   if (down && panel_shown_ && renderer_) run_panel();
   imgui_input::button(static_cast<int>(button), down);
   panel_frames_ = 3;
-  if (down) history_.begin();
   if (!down) {
     if (drag_ == Drag::turn) camera_.release(now_ - last_drag_time_);
     drag_ = Drag::none;
     return;
   }
-  if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) return;
+  if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) {
+    on_panel_ = OnPanel::press;
+    return;
+  }
+  history_.begin();
   camera_.stop();
   const bool look = button != Button::left || modifiers_.control || modifiers_.shift;
   drag_ = look ? Drag::look : Drag::turn;
@@ -130,10 +133,11 @@ void Session::pointer_left() {
 
 void Session::wheel(double notches) {
   panel_frames_ = 3;
-  go_on_by(History::Means::wheel);
   if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) {
+    if (!hand_is_busy()) on_panel_ = OnPanel::wheel;
     imgui_input::wheel(notches);
   } else {
+    go_on_by(History::Means::wheel);
     camera_.zoom(std::pow(wheel_zoom, notches), to_pixels(pointer_));
   }
 }
@@ -152,7 +156,6 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
   imgui_input::key(key, down, modifiers);
   panel_frames_ = 3;
   const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
-  if (down && !typing) go_on_by(History::Means::keys);
   if (down && !typing && modifiers.control) {
     if (key == Key::z) modifiers.shift ? redo() : undo();
     if (key == Key::y) redo();
@@ -167,7 +170,9 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
     keys_down_.erase(key);
     if (key == Key::c) compare(false);
   }
+  const bool pushed = camera_.pushed();
   update_pushes();
+  if (camera_.pushed() && !pushed) go_on_by(History::Means::keys);
 }
 
 void Session::keys_left() {
@@ -195,6 +200,14 @@ Scene Session::shown() const {
 // In the middle of a press, notches and taps belong to it.
 void Session::go_on_by(History::Means means) {
   if (!hand_is_busy()) history_.go_on(means, seconds_by_the_clock());
+}
+
+// A hand on the panel begins a step only where it changes something: a planet that runs on after a throw would be split
+// in two by the click that means to undo it.
+void Session::begin_step_of_panel() {
+  if (on_panel_ == OnPanel::press) history_.begin();
+  if (on_panel_ == OnPanel::wheel) go_on_by(History::Means::wheel);
+  on_panel_ = OnPanel::nothing_new;
 }
 
 void Session::update_pushes() {
@@ -322,7 +335,10 @@ void Session::run_panel() {
 void Session::obey(const PanelWishes& wishes) {
   if (wishes.scene_replaced) camera_.stop();
   if (wishes.preset_chosen) opened_ = document_;
-  if (wishes.scene_changed || wishes.scene_replaced) scene_was_changed();
+  if (wishes.scene_changed || wishes.scene_replaced) {
+    begin_step_of_panel();
+    scene_was_changed();
+  }
   // The hand has left a value: now the finer ground can come.
   if (hand_on_value_ && !wishes.dragging) planet_stale_ = true;
   hand_on_value_ = wishes.dragging;
@@ -425,6 +441,7 @@ void Session::set_seconds(double seconds) {
 
 void Session::show_panel(bool shown) {
   panel_shown_ = shown;
+  if (!shown) hand_on_value_ = false;
   panel_frames_ = 3;
 }
 

@@ -90,6 +90,7 @@ class Session {
 
  private:
   enum class Drag { none, turn, look };
+  enum class OnPanel { nothing_new, press, wheel };  // a hand, since the panel last changed the scene
   struct PanelPainter;
 
   View view() const;
@@ -102,6 +103,7 @@ class Session {
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);
   bool hand_is_busy() const { return drag_ != Drag::none || hand_on_value_; }
+  void begin_step_of_panel();
   void go_on_by(History::Means means);
   void update_pushes();
   void run_panel();
@@ -136,6 +138,7 @@ class Session {
   std::set<Key> keys_tapped_;  // since the camera last moved: a tap may be shorter than a frame
   Modifiers modifiers_;
   bool hand_on_value_ = false;
+  OnPanel on_panel_ = OnPanel::nothing_new;
   bool comparing_ = false;
 
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn

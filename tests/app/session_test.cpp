@@ -105,6 +105,39 @@ TEST_F(SessionTest, ADragOfThePlanetIsUndoneAndRedoneByKeys) {
   EXPECT_EQ(longitude(), dragged);
 }
 
+TEST_F(SessionTest, APlanetThatStillRunsOnIsUndoneWithItsThrow) {
+  settle();
+  const double start = longitude();
+  session.pointer_moved(40.0, 25.0);
+  session.pointer_button(Button::left, true);
+  for (int i = 1; i < 5; ++i) {
+    session.pointer_moved(40.0 + 3.0 * i, 25.0);
+    frames(1);
+  }
+  session.pointer_button(Button::left, false);
+  frames(3);
+  const double thrown = longitude();
+  session.key(Key::unknown, true, control);  // the Ctrl key comes first
+  frames(3);
+  ASSERT_NE(longitude(), thrown);
+  tap(Key::z, control);
+  EXPECT_EQ(longitude(), start);
+  settle();
+  EXPECT_EQ(longitude(), start);
+}
+
+TEST_F(SessionTest, AHeldKeyIsOneStep) {
+  settle();
+  const double start = longitude();
+  session.key(Key::d, true, {});
+  frames(30);
+  session.key(Key::d, false, {});
+  settle();
+  ASSERT_NE(longitude(), start);
+  tap(Key::z, control);
+  EXPECT_EQ(longitude(), start);
+}
+
 TEST_F(SessionTest, ARunOfNotchesIsOneStepAndTheNextRunAnother) {
   settle();
   const double start = session.document().scene.camera.altitude;
