@@ -54,6 +54,18 @@ async function look(page) {
   }, png);
 }
 
+// Waits until no more of the planet is drawn, and gives the number of its frames.
+async function settled(page) {
+  let before = -1;
+  for (let rests = 0; rests < 4;) {
+    await sleep(500);
+    const now = await page.evaluate(() => terrella.stats().frames);
+    rests = now === before ? rests + 1 : 0;
+    before = now;
+  }
+  return before;
+}
+
 describe('the page', () => {
   test('opens small, from one host, without a complaint, and shows a planet', async () => {
     Object.assign(server.log, { requests: 0, gzipped: 0, missing: [] });
@@ -187,14 +199,7 @@ describe('the page', () => {
 
   test('draws nothing while the clock stands and nobody touches it', async () => {
     const page = await open('?panel=0&pause=1');
-    const frames = () => page.evaluate(() => terrella.stats().frames);
-    let before = -1;
-    for (let rests = 0; rests < 4;) {  // until it has settled
-      await sleep(500);
-      const now = await frames();
-      rests = now === before ? rests + 1 : 0;
-      before = now;
-    }
+    const before = await settled(page);
     const draws = await page.evaluate(() => {
       let count = 0;
       const gl = document.querySelector('canvas').getContext('webgl2');
@@ -205,7 +210,7 @@ describe('the page', () => {
       return new Promise(done => setTimeout(() => done(count), 1500));
     });
     assert.equal(draws, 0);
-    assert.equal(await frames(), before);
+    assert.equal(await page.evaluate(() => terrella.stats().frames), before);
     await page.context().close();
   });
 
@@ -274,7 +279,7 @@ describe('the page', () => {
 
   test('keeps the whole picture while only the panel is drawn again', async () => {
     const page = await open('?panel=0&pause=1&preset=moon');
-    await sleep(1000);
+    await settled(page);
     const before = await look(page);
     await page.focus('canvas');
     await page.keyboard.press('x');
