@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "native/cmd_keys.hpp"
 #include "native/cmd_manual.hpp"
 #include "native/cmd_presets.hpp"
 #include "native/cmd_render.hpp"
@@ -15,6 +16,7 @@ int main(int count, char** arguments) {
   terrella::add_render_command(program, exit_code);
   terrella::add_manual_command(program);
   terrella::add_presets_command(program);
+  terrella::add_keys_command(program);
   try {
     program.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -150,6 +150,7 @@ void Window::key(int code, int action) {
   };
   const Modifiers modifiers{held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
                             held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)};
+  if (modifiers.control) code = printed_key(code);
   if (modifiers.control && code == GLFW_KEY_V) {
     const char* text = action == GLFW_PRESS ? glfwGetClipboardString(handle_.get()) : nullptr;
     if (text != nullptr) session_.pasted(text);

@@ -5,6 +5,12 @@
 
 namespace terrella {
 
+int printed_key(int code) {
+  const char* const name = glfwGetKeyName(code, 0);
+  const bool letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
+  return letter ? GLFW_KEY_A + (name[0] - 'a') : code;
+}
+
 Key key_of_glfw(int code) {
   switch (code) {
     case GLFW_KEY_LEFT: return Key::left;
@@ -38,6 +44,7 @@ Key key_of_glfw(int code) {
     case GLFW_KEY_V: return Key::v;
     case GLFW_KEY_W: return Key::w;
     case GLFW_KEY_X: return Key::x;
+    case GLFW_KEY_Y: return Key::y;
     case GLFW_KEY_Z: return Key::z;
     default: return Key::unknown;
   }

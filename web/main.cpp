@@ -90,6 +90,7 @@ EMSCRIPTEN_KEEPALIVE void terrella_pinch(double factor, double dx, double dy, do
 EMSCRIPTEN_KEEPALIVE void terrella_key(int key, int down, int shift, int control) {
   session->key(static_cast<terrella::Key>(key), down != 0, {shift != 0, control != 0});
 }
+EMSCRIPTEN_KEEPALIVE void terrella_keys_left() { session->keys_left(); }
 EMSCRIPTEN_KEEPALIVE void terrella_text(unsigned codepoint) { session->text(codepoint); }
 EMSCRIPTEN_KEEPALIVE void terrella_pasted(const char* text) { session->pasted(text); }
 

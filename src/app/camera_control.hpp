@@ -26,6 +26,7 @@ class CameraControl {
     bool operator==(const Push&) const = default;
   };
   void push(const Push& push) { push_ = push; }
+  [[nodiscard]] bool pushed() const { return push_ != Push{}; }
 
   // Lets time pass (s, >= 0). Returns whether the camera moved.
   bool tick(Scene& scene, const View& view, double seconds);

@@ -27,6 +27,7 @@ ImGuiKey imgui_key(Key key) {
     case Key::c: return ImGuiKey_C;
     case Key::v: return ImGuiKey_V;
     case Key::x: return ImGuiKey_X;
+    case Key::y: return ImGuiKey_Y;
     case Key::z: return ImGuiKey_Z;
     default: return ImGuiKey_None;
   }

@@ -35,6 +35,7 @@ enum class Key {
   v,
   w,
   x,
+  y,
   z
 };
 

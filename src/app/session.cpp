@@ -4,6 +4,7 @@
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/imgui_input.hpp"
@@ -20,6 +21,12 @@ namespace {
 constexpr std::size_t frames_timed = 60;
 constexpr double wheel_zoom = 1.18;  // a notch
 constexpr std::ptrdiff_t most_notices = 24;
+constexpr int frames_until_focus = 6;  // a panel that was hidden appears, then a field of it gets the keyboard
+
+// Of hands. What frame() is told stands still while nothing is drawn.
+double seconds_by_the_clock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 }  // namespace
 
@@ -34,6 +41,7 @@ Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContex
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
   style_panel(static_cast<float>(scale_));
+  history_.start({document_, opened_});
 }
 
 Session::~Session() {
@@ -107,7 +115,11 @@ void Session::pointer_button(Button button, bool down) {
     drag_ = Drag::none;
     return;
   }
-  if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) return;
+  if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) {
+    on_panel_ = OnPanel::press;
+    return;
+  }
+  history_.begin();
   camera_.stop();
   const bool look = button != Button::left || modifiers_.control || modifiers_.shift;
   drag_ = look ? Drag::look : Drag::turn;
@@ -122,8 +134,10 @@ void Session::pointer_left() {
 void Session::wheel(double notches) {
   panel_frames_ = 3;
   if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) {
+    if (!hand_is_busy()) on_panel_ = OnPanel::wheel;
     imgui_input::wheel(notches);
   } else {
+    go_on_by(History::Means::wheel);
     camera_.zoom(std::pow(wheel_zoom, notches), to_pixels(pointer_));
   }
 }
@@ -142,15 +156,58 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
   imgui_input::key(key, down, modifiers);
   panel_frames_ = 3;
   const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
+  if (down && !typing && modifiers.control) {
+    if (key == Key::z) modifiers.shift ? redo() : undo();
+    if (key == Key::y) redo();
+  }
   if (down && !typing && !modifiers.control) {
     keys_down_.insert(key);
     keys_tapped_.insert(key);
     if (key == Key::space) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
+    if (key == Key::c) compare(true);
   } else {
     keys_down_.erase(key);
+    if (key == Key::c) compare(false);
   }
+  const bool pushed = camera_.pushed();
   update_pushes();
+  if (camera_.pushed() && !pushed) go_on_by(History::Means::keys);
+}
+
+void Session::keys_left() {
+  keys_down_.clear();
+  modifiers_ = {};
+  compare(false);
+  update_pushes();
+}
+
+void Session::compare(bool wanted) {
+  if (wanted == comparing_) return;
+  comparing_ = wanted;
+  planet_stale_ = true;
+  panel_frames_ = std::max(panel_frames_, 2);
+}
+
+Scene Session::shown() const {
+  if (!comparing_) return document_.scene;
+  Scene scene = opened_.scene;
+  scene.camera = document_.scene.camera;
+  scene.camera.altitude *= scene.planet.radius / document_.scene.planet.radius;
+  return scene;
+}
+
+// In the middle of a press, notches and taps belong to it.
+void Session::go_on_by(History::Means means) {
+  if (!hand_is_busy()) history_.go_on(means, seconds_by_the_clock());
+}
+
+// A hand on the panel begins a step only where it changes something: a planet that runs on after a throw would be split
+// in two by the click that means to undo it.
+void Session::begin_step_of_panel() {
+  if (on_panel_ == OnPanel::press) history_.begin();
+  if (on_panel_ == OnPanel::wheel) go_on_by(History::Means::wheel);
+  on_panel_ = OnPanel::nothing_new;
 }
 
 void Session::update_pushes() {
@@ -166,8 +223,13 @@ void Session::update_pushes() {
 }
 
 void Session::text(unsigned codepoint) {
-  imgui_input::text(codepoint);
+  const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
   panel_frames_ = 3;
+  if (typing || (codepoint != '/' && codepoint != '?')) return imgui_input::text(codepoint);
+  show_panel(true);
+  if (codepoint == '/') panel_.start_search();
+  if (codepoint == '?') panel_.toggle_keys();
+  panel_frames_ = frames_until_focus;
 }
 
 void Session::pasted(const std::string& text) {
@@ -191,7 +253,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (!renderer_) return turn;
   if (planet_stale_) {
     // A technique that is new to the scene compiles in the background; until then the last picture stays.
-    turn.progress = renderer_->prepare(document_.scene, view());
+    turn.progress = renderer_->prepare(shown(), view());
     turn.again = true;
     if (turn.progress < 1.0) return turn;
   }
@@ -233,7 +295,7 @@ void Session::advance_clock(double elapsed) {
 }
 
 void Session::draw_planet(double now) {
-  renderer_->draw(document_.scene, view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
+  renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
   planet_stale_ = false;
   ++frames_;
   note_frame_time(now);
@@ -259,7 +321,9 @@ void Session::note_frame_time(double now) {
 void Session::run_panel() {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width_ * scale_), static_cast<float>(height_ * scale_)};
-  io.DeltaTime = 1.0F / 60.0F;
+  const double now = seconds_by_the_clock();
+  io.DeltaTime = static_cast<float>(std::clamp(now - panel_ran_, 0.001, 1.0));  // tells two clicks from a double click
+  panel_ran_ = now;
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
@@ -270,10 +334,16 @@ void Session::run_panel() {
 
 void Session::obey(const PanelWishes& wishes) {
   if (wishes.scene_replaced) camera_.stop();
-  if (wishes.scene_changed || wishes.scene_replaced) scene_was_changed();
+  if (wishes.preset_chosen) opened_ = document_;
+  if (wishes.scene_changed || wishes.scene_replaced) {
+    begin_step_of_panel();
+    scene_was_changed();
+  }
   // The hand has left a value: now the finer ground can come.
   if (hand_on_value_ && !wishes.dragging) planet_stale_ = true;
   hand_on_value_ = wishes.dragging;
+  if (wishes.undo) undo();
+  if (wishes.redo) redo();
   if (wishes.paused) set_paused(*wishes.paused);
   if (wishes.seconds) set_seconds(*wishes.seconds);
   if (wishes.copy_link && host_.copy_text) host_.copy_text(to_link(document_));
@@ -289,6 +359,9 @@ PanelFacts Session::facts() const {
   const RenderStats work = renderer_->stats();
   facts.seconds = seconds_;
   facts.paused = paused_;
+  facts.comparing = comparing_;
+  facts.can_undo = history_.can_undo();
+  facts.can_redo = history_.can_redo();
   facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;
   facts.triangles = work.triangles;
   facts.gpu_bytes = work.gpu_bytes;
@@ -303,33 +376,55 @@ PanelFacts Session::facts() const {
 // The scene
 
 void Session::scene_was_changed() {
+  history_.note({document_, opened_}, seconds_by_the_clock());
   planet_stale_ = true;
   panel_frames_ = std::max(panel_frames_, 2);
   if (host_.scene_changed) host_.scene_changed();
+}
+
+// What is opened before the first picture is the beginning: nothing leads back from it.
+void Session::open(const SceneDocument& loaded) {
+  document_ = opened_ = loaded;
+  camera_.stop();
+  if (frames_ == 0) history_.start({document_, opened_});
+  history_.begin();
+  scene_was_changed();
+}
+
+void Session::undo() {
+  if (history_.can_undo() && !hand_is_busy()) return_to(history_.undo());
+}
+
+void Session::redo() {
+  if (history_.can_redo() && !hand_is_busy()) return_to(history_.redo());
+}
+
+void Session::return_to(const Snapshot& snapshot) {
+  document_ = snapshot.document;
+  opened_ = snapshot.opened;
+  camera_.stop();
+  scene_was_changed();
 }
 
 std::vector<std::string> Session::load_json(const std::string& text) {
   SceneDocument loaded;
   const Issues issues = terrella::load_json(loaded, text);
   if (!issues.empty() && loaded == SceneDocument{}) return issues.sentences();  // nothing applies: keep what is there
-  document_ = loaded;
-  camera_.stop();
-  scene_was_changed();
+  open(loaded);
   return issues.sentences();
 }
 
 std::vector<std::string> Session::load_link(const std::string& link) {
   SceneDocument loaded;
   const Issues issues = terrella::load_link(loaded, link);
-  document_ = loaded;
-  camera_.stop();
-  scene_was_changed();
+  open(loaded);
   return issues.sentences();
 }
 
 std::string Session::set(const std::string& path, const std::string& text) {
   const std::optional<Issue> issue = assign_text(document_.scene, path, text);
   if (issue) return issue->text();
+  go_on_by(History::Means::calls);
   scene_was_changed();
   return {};
 }
@@ -346,6 +441,7 @@ void Session::set_seconds(double seconds) {
 
 void Session::show_panel(bool shown) {
   panel_shown_ = shown;
+  if (!shown) hand_on_value_ = false;
   panel_frames_ = 3;
 }
 

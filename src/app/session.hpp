@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/camera_control.hpp"
+#include "app/history.hpp"
 #include "app/input.hpp"
 #include "base/image.hpp"
 #include "panel/panel.hpp"
@@ -52,6 +53,7 @@ class Session {
   // Two fingers: factor of their distance, movement of their middle, around a place.
   void pinch(double factor, double dx, double dy, double x, double y);
   void key(Key key, bool down, Modifiers modifiers);
+  void keys_left();  // the keyboard has gone elsewhere: none is held any more
   void text(unsigned codepoint);
   void pasted(const std::string& text);
 
@@ -70,6 +72,9 @@ class Session {
   std::vector<std::string> load_link(const std::string& link);
   // A sentence if the value was refused, else nothing. text: as in a link.
   std::string set(const std::string& path, const std::string& text);
+  // One step back or ahead; nothing where there is none, or while a hand is in the middle of a change.
+  void undo();
+  void redo();
 
   void set_paused(bool paused);
   void set_seconds(double seconds);
@@ -85,12 +90,21 @@ class Session {
 
  private:
   enum class Drag { none, turn, look };
+  enum class OnPanel { nothing_new, press, wheel };  // a hand, since the panel last changed the scene
   struct PanelPainter;
 
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
+  // What is drawn: the scene or, while comparing, the planet as it was opened, seen from where the camera is now.
+  Scene shown() const;
+  void compare(bool wanted);
   void scene_was_changed();
+  void open(const SceneDocument& loaded);
+  void return_to(const Snapshot& snapshot);
+  bool hand_is_busy() const { return drag_ != Drag::none || hand_on_value_; }
+  void begin_step_of_panel();
+  void go_on_by(History::Means means);
   void update_pushes();
   void run_panel();
   void obey(const PanelWishes& wishes);
@@ -102,6 +116,8 @@ class Session {
 
   Host host_;
   SceneDocument document_;
+  SceneDocument opened_;  // as it was when it was loaded
+  History history_;
   ImGuiContext* imgui_;
   std::unique_ptr<PanelPainter> painter_;  // from when the panel first runs in a context
   Panel panel_;
@@ -122,11 +138,14 @@ class Session {
   std::set<Key> keys_tapped_;  // since the camera last moved: a tap may be shorter than a frame
   Modifiers modifiers_;
   bool hand_on_value_ = false;
+  OnPanel on_panel_ = OnPanel::nothing_new;
+  bool comparing_ = false;
 
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
   int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
   double now_ = 0.0;
-  bool at_rest_ = true;  // nothing moved after the last frame, so that the time until the next one does not count
+  double panel_ran_ = 0.0;  // s, by a clock of its own: between frames there may be long rests
+  bool at_rest_ = true;     // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
   std::optional<double> last_drawn_;
   std::deque<double> frame_ms_;

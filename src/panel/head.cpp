@@ -23,11 +23,49 @@ void preset_list(Sheet& sheet) {
   sheet.place("preset");
   if (!open) return tooltip(text_of(sheet.preset->about, '.'));
   for (const Preset& preset : presets()) {
-    if (ImGui::Selectable(preset.title.c_str(), &preset == sheet.preset)) sheet.start_from(preset);
+    if (ImGui::Selectable(preset.title.c_str(), &preset == sheet.preset)) {
+      sheet.start_from(preset);
+      sheet.wishes.preset_chosen = true;
+    }
     sheet.place("preset/", preset.name);
     tooltip(text_of(preset.about, '.'));
   }
   ImGui::EndCombo();
+}
+
+// What stands at the left of the buttons, where there is room for it.
+void title(const Sheet& sheet, float room) {
+  const bool comparing = sheet.facts.comparing;
+  const char* const text = comparing ? "As it was opened" : "Terrella";
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(ImGui::CalcTextSize(text).x < room ? text : "");
+  sheet.place(comparing ? "title/compared" : "title");
+}
+
+void title_row(Sheet& sheet) {
+  const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
+  const float square = ImGui::GetFrameHeight(), width = std::min(points(46.0F), 0.22F * room);
+  const float buttons = 3.0F * width + square + 3.0F * space;
+  title(sheet, room - buttons);
+  continue_at_right(buttons);
+  const auto button = [&](const char* name, const char* label, const char* help, bool enabled = true) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, {label[1] == '\0' ? square : width, 0.0F});
+    ImGui::EndDisabled();
+    sheet.place(name);
+    tooltip(help);
+    ImGui::SameLine();
+    return pressed;
+  };
+  const PanelFacts& facts = sheet.facts;
+  if (button("undo", "Undo", "Takes the last change back (Ctrl+Z).", facts.can_undo)) sheet.wishes.undo = true;
+  if (button("redo", "Redo", "Brings back what was undone (Ctrl+Shift+Z).", facts.can_redo)) sheet.wishes.redo = true;
+  bool& keys_shown = sheet.memory.keys_shown;
+  if (button("keys", "?", "Lists what keys and mouse do (?).")) keys_shown = !keys_shown;
+  if (button("fold", "Fold", "Folds the panel to a button in this corner. The key H hides it, and brings it back.")) {
+    sheet.memory.folded = true;
+  }
+  ImGui::NewLine();
 }
 
 // Buttons of one width, three in a line.
@@ -74,12 +112,7 @@ std::string in_latin1(std::string text) {
 }  // namespace
 
 void head_section(Sheet& sheet) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Terrella");
-  continue_at_right(points(70.0F));
-  if (ImGui::Button("Fold", {points(70.0F), 0.0F})) sheet.memory.folded = true;
-  sheet.place("fold");
-  tooltip("Folds the panel to a button in this corner. The key H hides it, and brings it back.");
+  title_row(sheet);
   preset_list(sheet);
 
   ButtonGrid grid(sheet);

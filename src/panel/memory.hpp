@@ -16,9 +16,40 @@ struct Typing {
   int frames_waited = 0;
 };
 
+// The press on a slider.
+struct Grip {
+  std::string_view path;  // of the slider pressed last
+  double before = 0.0;    // its value before that
+  double position = 0.0;  // where it is dragged; beyond 0..1 the pointer is beside it
+  float x = 0.0F;         // of the pointer, pixels
+  bool stays = false;     // pressed with Ctrl, and not moved yet
+};
+
+// The wheel over the panel.
+struct Wheel {
+  std::string_view path;                         // of the slider over which it turns
+  double turned = 0.0;                           // parts of a notch
+  bool taken = false;                            // in this frame, by a slider
+  float scrolled_x = -1.0F, scrolled_y = -1.0F;  // where the pointer was when it scrolled the panel, pixels
+};
+
+struct SliderHand {
+  Grip grip;
+  Wheel wheel;
+};
+
+// Which parameters are shown.
+struct Search {
+  std::array<char, 48> text{};
+  bool wanted = false;  // the field shall have the keyboard
+};
+
 struct PanelMemory {
-  bool folded = false;  // to a button in its corner
+  bool folded = false;      // to a button in its corner
+  bool keys_shown = false;  // the list of keys
   Typing typing;
+  SliderHand hand;
+  Search search;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

@@ -8,8 +8,12 @@
 #include "base/text.hpp"
 #include "panel/facts_view.hpp"
 #include "panel/head.hpp"
+#include "panel/keys_window.hpp"
 #include "panel/parameter_row.hpp"
+#include "panel/search.hpp"
+#include "panel/search_field.hpp"
 #include "panel/sheet.hpp"
+#include "panel/slider_hand.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -57,6 +61,29 @@ void groups_section(Sheet& sheet) {
   }
 }
 
+// Groups under headers of their own, so that the others stay open or closed as they are.
+void found_section(Sheet& sheet, std::string_view text) {
+  const std::vector<const Parameter*> found = parameters_about(text);
+  if (found.empty()) quiet_text(nothing_about(shortened(text)));
+  std::string_view group;
+  for (const Parameter* parameter : found) {
+    if (parameter->group != group) {
+      group = parameter->group;
+      ImGui::SeparatorText(std::string(find_group(group)->title).c_str());
+      sheet.place(group);
+    }
+    parameter_row(sheet, *parameter);
+  }
+}
+
+void sections_below_search(Sheet& sheet) {
+  const std::string_view text = sheet.memory.search.text.data();
+  if (!text.empty()) return found_section(sheet, text);
+  groups_section(sheet);
+  decisions_section(sheet);
+  statistics_section(sheet);
+}
+
 }  // namespace
 
 PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places) {
@@ -71,12 +98,18 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
     notices_section(sheet);
     clock_section(sheet);
     ImGui::Spacing();
-    groups_section(sheet);
-    decisions_section(sheet);
-    statistics_section(sheet);
+    search_field(sheet);
+    sections_below_search(sheet);
   }
+  note_scrolling(memory_.hand.wheel);
   ImGui::End();
+  keys_window(sheet);
   return sheet.wishes;
+}
+
+void Panel::start_search() {
+  memory_.folded = false;
+  memory_.search.wanted = true;
 }
 
 }  // namespace terrella

@@ -19,6 +19,8 @@ struct PanelFacts {
 
   double seconds = 0.0;  // of the planet's clock
   bool paused = false;
+  bool can_undo = false, can_redo = false;
+  bool comparing = false;  // the planet is shown as it was opened
   double frame_ms = 0.0;
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;
@@ -31,7 +33,9 @@ struct PanelFacts {
 struct PanelWishes {
   bool scene_changed = false;   // some parameter has another value
   bool scene_replaced = false;  // a preset was chosen or everything reset
-  bool dragging = false;        // the hand is still on a value
+  bool preset_chosen = false;
+  bool dragging = false;  // the hand is still on a value
+  bool undo = false, redo = false;
   std::optional<bool> paused;
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false, save_picture = false;
@@ -52,6 +56,12 @@ class Panel {
   // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window. Where `places` is given,
   // the place of every widget drawn is added to it.
   PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
+
+  // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
+  void start_search();
+
+  // Shows the list of keys, or closes it.
+  void toggle_keys() { memory_.keys_shown = !memory_.keys_shown; }
 
  private:
   PanelMemory memory_;

@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "panel/quantity.hpp"
+#include "panel/slider_hand.hpp"
 #include "panel/slider_range.hpp"
 #include "panel/typing.hpp"
 #include "panel/widgets.hpp"
@@ -34,15 +35,15 @@ double number_of(const Sheet& sheet, const Parameter& parameter) {
 void slider(Sheet& sheet, const Parameter& parameter, float width) {
   const double value = number_of(sheet, parameter);
   const SliderRange range = slider_range(parameter, sheet.document.scene);
-  const auto wanted = bar("value", range.position_of(value), quantity_text(parameter, value), width);
+  const double position = range.position_of(value);
+  bar("value", position, quantity_text(parameter, value), width);
   sheet.place(parameter.path);
-  if (!wanted) return;
-  // A press with Ctrl means to type; it must not move the value first.
-  if (ImGui::GetIO().KeyCtrl && ImGui::IsItemActivated()) {
-    start_typing(sheet.memory.typing, parameter.path, quantity_to_edit(parameter, value));
-  } else if (sheet.memory.typing.path.empty()) {
-    sheet.set(parameter, range.value_at(*wanted));
-  }
+  const SliderWish wish = hand_on_slider(sheet.memory.hand, parameter.path, position, value);
+  if (wish.steps != 0.0) sheet.set(parameter, range.stepped(value, wish.steps));
+  if (wish.position) sheet.set(parameter, range.value_at(*wish.position));
+  if (!wish.type) return;
+  sheet.set(parameter, *wish.type);
+  start_typing(sheet.memory.typing, parameter.path, quantity_to_edit(parameter, *wish.type));
 }
 
 void number_field(Sheet& sheet, const Parameter& parameter) {
@@ -62,9 +63,16 @@ void stepper(Sheet& sheet, const Parameter& parameter) {
   sheet.place(parameter.path);
 }
 
+bool is_number(const Parameter& parameter) { return parameter.type == Type::Float || parameter.type == Type::Int; }
+
+bool has_slider(const Parameter& parameter) {
+  const bool long_row = parameter.type == Type::Int && parameter.max - parameter.min > widest_slider;
+  return is_number(parameter) && !long_row;
+}
+
 void number_widget(Sheet& sheet, const Parameter& parameter, float width) {
   if (sheet.memory.typing.path == parameter.path) return number_field(sheet, parameter);
-  if (parameter.type == Type::Int && parameter.max - parameter.min > widest_slider) return stepper(sheet, parameter);
+  if (!has_slider(parameter)) return stepper(sheet, parameter);
   slider(sheet, parameter, width);
 }
 
@@ -119,8 +127,6 @@ void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
   if (ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput) sheet.wishes.dragging = true;
 }
 
-bool is_number(const Parameter& parameter) { return parameter.type == Type::Float || parameter.type == Type::Int; }
-
 std::string text_of_value(const Parameter& parameter, const Scene& scene) {
   const std::string text = to_text(parameter.get(scene));
   return parameter.unit.empty() ? text : text_of(text, ' ', parameter.unit);
@@ -132,7 +138,8 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
   ImGui::Spacing();
   quiet_text(text_of(parameter.path, " = ", text_of_value(parameter, sheet.document.scene)));
   if (differs) quiet_text(text_of("In the preset: ", text_of_value(parameter, sheet.preset->scene)));
-  if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), ". Ctrl+click to type."));
+  if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), '.'));
+  if (has_slider(parameter)) quiet_text("Double click to type. The wheel goes in small steps; Ctrl is finer.");
   end_side_tooltip();
 }
 

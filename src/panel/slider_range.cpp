@@ -10,6 +10,8 @@ namespace {
 // continent.
 constexpr double decades = 4.0, decades_of_lengths = 7.0;
 
+constexpr double small_step = 0.01;  // of the slider
+
 // The fineness of a linear slider: some more steps than it has pixels.
 constexpr double least_steps = 300.0;
 constexpr int significant_digits = 3;
@@ -43,6 +45,16 @@ double SliderRange::position_of(double value) const {
   if (value >= high) return 1.0;
   if (first == 0.0) return (value - low) / (high - low);
   return value > first ? std::log(value / first) / std::log(high / first) : 0.0;
+}
+
+double SliderRange::stepped(double value, double steps) const {
+  if (steps == 0.0) return value;
+  const double from = position_of(value);
+  for (double step = small_step * steps; std::abs(step) <= 1.0; step *= 1.5) {
+    const double next = value_at(from + step);
+    if (steps > 0.0 ? next > value : next < value) return next;
+  }
+  return steps > 0.0 ? std::max(value, high) : std::min(value, low);
 }
 
 SliderRange slider_range(const Parameter& parameter, const Scene& scene) {

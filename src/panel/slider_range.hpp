@@ -15,6 +15,9 @@ struct SliderRange {
   double value_at(double position) const;
   // The nearest position, 0..1, of any value.
   double position_of(double value) const;
+  // The value some small steps further, at least to the next that the slider tells apart. steps may be parts of one,
+  // and below 0.
+  double stepped(double value, double steps) const;
 };
 
 // Of a Float or Int. The sliders of lengths and speeds go as far as makes sense on the scene's planet.

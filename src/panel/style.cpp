@@ -72,6 +72,7 @@ void style_panel(float scale) {
   style.ScrollbarRounding = 6.0F;
   style.WindowBorderSize = 0.0F;
   style.PopupBorderSize = 1.0F;
+  style.SeparatorTextBorderSize = 1.0F;
   style.DisabledAlpha = 0.55F;
   style.ScaleAllSizes(scale);
   // The session draws only what has changed: a tooltip that waits would never come.

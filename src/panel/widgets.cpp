@@ -47,15 +47,16 @@ void draw_turn_back(ImVec2 centre, float radius, unsigned color) {
 
 float points(float count) { return count * ImGui::GetFontSize() / default_font_size; }
 
-std::optional<double> bar(const char* id, double position, const std::string& text, float width) {
+void bar(const char* id, double position, const std::string& text, float width) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
   ImGui::InvisibleButton(id, {width, to.y - from.y});
   draw_bar(from, to, position, text);
-  if (!ImGui::IsItemActive() || !ImGui::IsMousePosValid()) return std::nullopt;
-  const float inset = points(bar_inset);
-  const double wanted = (ImGui::GetIO().MousePos.x - from.x - inset) / (width - 2.0F * inset);
-  return std::clamp(wanted, 0.0, 1.0);
+}
+
+double position_on_bar(float x) {
+  const float inset = points(bar_inset), left = ImGui::GetItemRectMin().x + inset;
+  return (double{x} - left) / (double{ImGui::GetItemRectSize().x} - 2.0 * inset);
 }
 
 float reset_button_width() { return ImGui::GetFrameHeight(); }

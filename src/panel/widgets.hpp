@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace terrella {
@@ -10,8 +9,10 @@ namespace terrella {
 // Pixels of a length in points.
 float points(float count);
 
-// A bar that is filled up to a position, 0..1, with a text in it. Gives the position to which the hand drags it.
-std::optional<double> bar(const char* id, double position, const std::string& text, float width);
+// A bar that is filled up to a position, 0..1, with a text in it.
+void bar(const char* id, double position, const std::string& text, float width);
+// Where an x, in pixels, lies on the bar that was drawn last: 0..1, beyond it beside it.
+double position_on_bar(float x);
 
 // A square button with an arrow that turns back.
 bool reset_button(const char* id);

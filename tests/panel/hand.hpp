@@ -34,7 +34,7 @@ class PanelTest : public testing::Test {
   PanelWishes frame() {
     places.clear();
     ImGui::NewFrame();
-    const PanelWishes wishes = panel_.draw(document, facts, &places);
+    const PanelWishes wishes = panel.draw(document, facts, &places);
     ImGui::Render();
     return wishes;
   }
@@ -118,6 +118,8 @@ class PanelTest : public testing::Test {
   PanelFacts facts;
   std::vector<WidgetPlace> places;  // of the last frame
 
+  Panel panel;
+
  private:
   PanelWishes button(bool down) {
     ImGui::GetIO().AddMouseButtonEvent(0, down);
@@ -125,7 +127,6 @@ class PanelTest : public testing::Test {
   }
 
   ImGuiContext* context_;
-  Panel panel_;
 };
 
 }  // namespace terrella

@@ -107,7 +107,9 @@ TEST_F(PanelTest, APresetReplacesTheScene) {
   document.scene.waves.steepness = 0.1;
   click("preset");
   for (const Preset& preset : presets()) EXPECT_EQ(count_of("preset/" + preset.name), 1) << preset.name;
-  EXPECT_TRUE(click("preset/storm").scene_replaced);
+  const PanelWishes wishes = click("preset/storm");
+  EXPECT_TRUE(wishes.scene_replaced);
+  EXPECT_TRUE(wishes.preset_chosen);
   EXPECT_EQ(document, (SceneDocument{scene_of("storm"), "storm"}));
 }
 
@@ -183,6 +185,24 @@ TEST_F(PanelTest, ButtonsWishWhatTheySay) {
   EXPECT_TRUE(click("open").open_json);
   EXPECT_TRUE(click("save_picture").save_picture);
   EXPECT_EQ(document, SceneDocument{});
+}
+
+TEST_F(PanelTest, UndoAndRedoAreWishedWhereThereIsSomething) {
+  EXPECT_EQ(click("undo"), PanelWishes{});
+  EXPECT_EQ(click("redo"), PanelWishes{});
+  facts.can_undo = facts.can_redo = true;
+  frame();
+  EXPECT_TRUE(click("undo").undo);
+  EXPECT_TRUE(click("redo").redo);
+}
+
+TEST_F(PanelTest, SaysWhereThePlanetIsShownAsItWasOpened) {
+  const float below = place_of("preset").top;
+  facts.comparing = true;
+  frames(2);
+  EXPECT_EQ(count_of("title/compared"), 1);
+  EXPECT_LT(place_of("title/compared").right, place_of("undo").left);
+  EXPECT_EQ(place_of("preset").top, below);  // nothing jumps
 }
 
 TEST_F(PanelTest, FoldsToAButtonAndBack) {

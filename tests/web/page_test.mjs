@@ -54,6 +54,18 @@ async function look(page) {
   }, png);
 }
 
+// Waits until no more of the planet is drawn, and gives the number of its frames.
+async function settled(page) {
+  let before = -1;
+  for (let rests = 0; rests < 4;) {
+    await sleep(500);
+    const now = await page.evaluate(() => terrella.stats().frames);
+    rests = now === before ? rests + 1 : 0;
+    before = now;
+  }
+  return before;
+}
+
 describe('the page', () => {
   test('opens small, from one host, without a complaint, and shows a planet', async () => {
     Object.assign(server.log, { requests: 0, gzipped: 0, missing: [] });
@@ -119,6 +131,51 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('undoes and redoes by keys, and the address follows', async () => {
+    const page = await open('?panel=0&pause=1&preset=moon');
+    const longitude = () => page.evaluate(() => terrella.get('camera.longitude'));
+    const start = await longitude();
+    await page.mouse.move(160, 120);
+    await page.mouse.down();
+    await page.mouse.move(120, 120, { steps: 4 });
+    await sleep(300);  // held still, so that it is no throw
+    await page.mouse.up();
+    const dragged = await longitude();
+    assert.notEqual(dragged, start);
+    await until(page, () => location.search.includes('camera.longitude'));
+    await page.keyboard.press('Control+z');
+    assert.equal(await longitude(), start);
+    await until(page, () => !location.search.includes('camera.longitude'));
+    await page.keyboard.press('Control+Shift+Z');
+    assert.equal(await longitude(), dragged);
+    await until(page, () => location.search.includes('camera.longitude'));
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('searches a parameter after a slash, and changes what it found by the wheel', async () => {
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 } });
+    const steepness = () => page.evaluate(() => terrella.get('waves.steepness'));
+    const [start, camera] = [await steepness(), await page.evaluate(() => terrella.scene().camera)];
+    await page.focus('canvas');
+    await page.keyboard.press('/');
+    await sleep(1000);
+    await page.keyboard.type('waves.steepness', { delay: 50 });  // its letters move no camera
+    await sleep(1000);
+    await page.mouse.move(230, 193);  // the only slider
+    await sleep(500);
+    await page.mouse.wheel(0, -100);
+    await until(page, before => terrella.get('waves.steepness') > before, start);
+    assert.ok(await steepness() < start + 0.05);
+    assert.deepEqual(await page.evaluate(() => terrella.scene().camera), camera);
+    await page.keyboard.press('Escape');
+    await sleep(500);
+    await page.keyboard.press('Control+z');
+    assert.equal(await steepness(), start);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('follows fingers: one turns the planet, two come nearer', async () => {
     const page = await open('?panel=0&pause=1', { hasTouch: true });
     const touch = await page.context().newCDPSession(page);
@@ -142,14 +199,7 @@ describe('the page', () => {
 
   test('draws nothing while the clock stands and nobody touches it', async () => {
     const page = await open('?panel=0&pause=1');
-    const frames = () => page.evaluate(() => terrella.stats().frames);
-    let before = -1;
-    for (let rests = 0; rests < 4;) {  // until it has settled
-      await sleep(500);
-      const now = await frames();
-      rests = now === before ? rests + 1 : 0;
-      before = now;
-    }
+    const before = await settled(page);
     const draws = await page.evaluate(() => {
       let count = 0;
       const gl = document.querySelector('canvas').getContext('webgl2');
@@ -160,7 +210,7 @@ describe('the page', () => {
       return new Promise(done => setTimeout(() => done(count), 1500));
     });
     assert.equal(draws, 0);
-    assert.equal(await frames(), before);
+    assert.equal(await page.evaluate(() => terrella.stats().frames), before);
     await page.context().close();
   });
 
@@ -229,7 +279,7 @@ describe('the page', () => {
 
   test('keeps the whole picture while only the panel is drawn again', async () => {
     const page = await open('?panel=0&pause=1&preset=moon');
-    await sleep(1000);
+    await settled(page);
     const before = await look(page);
     await page.focus('canvas');
     await page.keyboard.press('x');

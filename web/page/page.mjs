@@ -117,18 +117,21 @@ function listen() {
 
   // In the order of terrella::Key.
   const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', '+', '-', ' ',
-    'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'q', 'r', 's', 'v', 'w', 'x', 'z'];
+    'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'q', 'r', 's', 'v', 'w', 'x', 'y', 'z'];
   const key = down => event => {
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const index = Math.max(0, keys.indexOf(name === '=' ? '+' : name));
     const control = event.ctrlKey || event.metaKey;
     program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
     if (down && event.key.length === 1 && !control) program._terrella_text(event.key.codePointAt(0));
-    if (index > 0 && !control && event.key !== 'Tab') event.preventDefault();
+    // The browser would search, scroll or open a list of its own.
+    const ours = control ? name === 'z' || name === 'y' : index > 0 || event.key.length === 1;
+    if (ours && event.key !== 'Tab') event.preventDefault();
     wake();
   };
   canvas.addEventListener('keydown', key(true));
   canvas.addEventListener('keyup', key(false));
+  canvas.addEventListener('blur', () => { program._terrella_keys_left(); wake(); });
   document.addEventListener('paste', event => {
     call('pasted', ['string'], [event.clipboardData.getData('text')]);
     wake();

@@ -1,0 +1,60 @@
+#include "panel/keys.hpp"
+
+#include "base/text.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr KeyLine planet_lines[] = {
+    {"Drag", "turn the planet"},
+    {"Wheel, + and -", "nearer, away"},
+    {"Right drag, Ctrl+drag", "look around"},
+    {"Arrows, W A S D", "move over the ground"},
+    {"Q and E", "turn left, right"},
+    {"R and F, Page Up and Down", "look up, down"},
+    {"One finger, two fingers", "turn the planet; nearer, away and look around"},
+};
+
+constexpr KeyLine scene_lines[] = {
+    {"Space", "stop the clock, let it go on"},
+    {"C, held", "the planet as it was opened"},
+    {"Ctrl+Z", "undo"},
+    {"Ctrl+Shift+Z, Ctrl+Y", "redo"},
+    {"Ctrl+V", "load a scene from the clipboard, as JSON or link"},
+};
+
+constexpr KeyLine panel_lines[] = {
+    {"H", "hide the panel, show it"},
+    {"/", "search a parameter"},
+    {"Escape", "end the search, close this list"},
+    {"?", "show this list, close it"},
+};
+
+constexpr KeyLine slider_lines[] = {
+    {"Drag", "change the value"},
+    {"Wheel", "change it in small steps"},
+    {"Ctrl with drag or wheel", "a tenth as fast"},
+    {"Double click, Ctrl+click", "type the value"},
+};
+
+constexpr KeyGroup groups_of_keys[] = {
+    {"On the planet", planet_lines},
+    {"The scene", scene_lines},
+    {"The panel", panel_lines},
+    {"On a slider", slider_lines},
+};
+
+}  // namespace
+
+std::span<const KeyGroup> key_groups() { return groups_of_keys; }
+
+std::string keys_text() {
+  std::string text = "# Keys and mouse\n";
+  for (const KeyGroup& group : key_groups()) {
+    text += text_of("\n## ", group.title, "\n\n| hand | does |\n| --- | --- |\n");
+    for (const KeyLine& line : group.lines) text += text_of("| ", line.keys, " | ", line.does, " |\n");
+  }
+  return text;
+}
+
+}  // namespace terrella

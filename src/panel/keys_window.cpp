@@ -1,0 +1,65 @@
+#include "panel/keys_window.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panel/keys.hpp"
+#include "panel/widgets.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr float widest = 440.0F;  // points
+constexpr float most_of_display = 0.92F;
+constexpr float keys_share = 0.45F;  // of the width
+
+bool begin_in_the_middle() {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float width = std::min(points(widest), most_of_display * display.x);
+  ImGui::SetNextWindowPos({display.x * 0.5F, display.y * 0.5F}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, most_of_display * display.y});
+  // It may lie over the panel.
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, ImGui::GetStyle().PopupBorderSize);
+  const bool visible = ImGui::Begin("keys", nullptr,
+                                    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  return visible;
+}
+
+void heading(Sheet& sheet) {
+  const float side = ImGui::GetFrameHeight();
+  const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Keys and mouse");
+  ImGui::SameLine(right - side, 0.0F);
+  if (ImGui::Button("x", {side, 0.0F})) sheet.memory.keys_shown = false;
+  sheet.place("keys/close");
+}
+
+void lines_of(const KeyGroup& group) {
+  ImGui::SeparatorText(std::string(group.title).c_str());
+  for (const KeyLine& line : group.lines) {
+    two_columns(
+        keys_share, [&] { ImGui::TextWrapped("%s", std::string(line.keys).c_str()); },
+        [&] { quiet_text(std::string(line.does)); });
+  }
+}
+
+}  // namespace
+
+void keys_window(Sheet& sheet) {
+  bool& shown = sheet.memory.keys_shown;
+  if (!shown) return;
+  if (begin_in_the_middle()) {
+    heading(sheet);
+    for (const KeyGroup& group : key_groups()) lines_of(group);
+  }
+  ImGui::End();
+  if (!ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) shown = false;
+}
+
+}  // namespace terrella

@@ -1,0 +1,243 @@
+// A session on a real context, with hands on its planet and its keys.
+#include "app/session.hpp"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <chrono>
+#include <thread>
+
+#include "native/egl_context.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr int width = 96, height = 54;  // pixels
+
+void rest() { std::this_thread::sleep_for(std::chrono::duration<double>(History::rest + 0.1)); }
+
+class SessionTest : public testing::Test {
+ protected:
+  SessionTest() : context_(std::move(*EglContext::make(Api::core))), session(host()) {
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    session.context_made();
+    session.resize(width, height, 1.0);
+    session.set_paused(true);
+    session.show_panel(false);
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) session.frame(now_ += 0.016, framebuffer_);
+  }
+
+  // Until nothing moves any more.
+  void settle() {
+    for (int i = 0; i < 2000; ++i) {
+      if (!session.frame(now_ += 0.016, framebuffer_).again) return;
+    }
+    ADD_FAILURE() << "never comes to rest";
+  }
+
+  void tap(Key key, Modifiers modifiers = {}) {
+    session.key(key, true, modifiers);
+    session.key(key, false, {});
+  }
+
+  void drag() {
+    session.pointer_moved(40.0, 25.0);
+    session.pointer_button(Button::left, true);
+    for (int i = 1; i < 5; ++i) session.pointer_moved(40.0 + 3.0 * i, 25.0);
+    frames(20);  // held still, so that it is no throw
+    session.pointer_button(Button::left, false);
+  }
+
+  std::vector<unsigned char> pixels() {
+    settle();
+    std::vector<unsigned char> bytes(std::size_t{4} * width * height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return bytes;
+  }
+
+  double longitude() const { return session.document().scene.camera.longitude; }
+
+ private:
+  Session::Host host() {
+    Session::Host host;
+    host.scene_changed = [this] { ++changes; };
+    return host;
+  }
+
+  std::unique_ptr<EglContext> context_;
+  GLuint texture_ = 0, framebuffer_ = 0;
+  double now_ = 1.0;
+
+ protected:
+  int changes = 0;  // told to the host
+  Session session;
+};
+
+constexpr Modifiers control{false, true}, control_shift{true, true};
+
+TEST_F(SessionTest, ADragOfThePlanetIsUndoneAndRedoneByKeys) {
+  settle();
+  const double start = longitude();
+  drag();
+  settle();
+  const double dragged = longitude();
+  ASSERT_NE(dragged, start);
+  const int told = changes;
+  tap(Key::z, control);
+  EXPECT_EQ(longitude(), start);
+  EXPECT_EQ(changes, told + 1);
+  tap(Key::z, control);  // nothing more to undo
+  EXPECT_EQ(changes, told + 1);
+  tap(Key::z, control_shift);
+  EXPECT_EQ(longitude(), dragged);
+  tap(Key::z, control);
+  tap(Key::y, control);
+  EXPECT_EQ(longitude(), dragged);
+}
+
+TEST_F(SessionTest, APlanetThatStillRunsOnIsUndoneWithItsThrow) {
+  settle();
+  const double start = longitude();
+  session.pointer_moved(40.0, 25.0);
+  session.pointer_button(Button::left, true);
+  for (int i = 1; i < 5; ++i) {
+    session.pointer_moved(40.0 + 3.0 * i, 25.0);
+    frames(1);
+  }
+  session.pointer_button(Button::left, false);
+  frames(3);
+  const double thrown = longitude();
+  session.key(Key::unknown, true, control);  // the Ctrl key comes first
+  frames(3);
+  ASSERT_NE(longitude(), thrown);
+  tap(Key::z, control);
+  EXPECT_EQ(longitude(), start);
+  settle();
+  EXPECT_EQ(longitude(), start);
+}
+
+TEST_F(SessionTest, AHeldKeyIsOneStep) {
+  settle();
+  const double start = longitude();
+  session.key(Key::d, true, {});
+  frames(30);
+  session.key(Key::d, false, {});
+  settle();
+  ASSERT_NE(longitude(), start);
+  tap(Key::z, control);
+  EXPECT_EQ(longitude(), start);
+}
+
+TEST_F(SessionTest, ARunOfNotchesIsOneStepAndTheNextRunAnother) {
+  settle();
+  const double start = session.document().scene.camera.altitude;
+  for (int i = 0; i < 3; ++i) {
+    session.wheel(1.0);
+    frames(3);
+  }
+  settle();
+  const double nearer = session.document().scene.camera.altitude;
+  rest();
+  session.wheel(1.0);
+  settle();
+  tap(Key::z, control);
+  EXPECT_EQ(session.document().scene.camera.altitude, nearer);
+  tap(Key::z, control);
+  EXPECT_EQ(session.document().scene.camera.altitude, start);
+}
+
+TEST_F(SessionTest, NothingIsUndoneUnderAHandThatHolds) {
+  settle();
+  session.pointer_moved(40.0, 25.0);
+  session.pointer_button(Button::left, true);
+  session.pointer_moved(50.0, 25.0);
+  const double held = longitude();
+  tap(Key::z, control);
+  EXPECT_EQ(longitude(), held);
+}
+
+TEST_F(SessionTest, WhatIsLoadedBeforeTheFirstPictureIsTheBeginning) {
+  session.load_link("preset=storm");
+  settle();
+  tap(Key::z, control);
+  EXPECT_EQ(session.document().preset, "storm");
+  session.load_json(R"({"terrella": 1, "preset": "moon"})");
+  EXPECT_EQ(session.set("sun.intensity", "2"), "");
+  tap(Key::z, control);
+  EXPECT_EQ(session.document(), (SceneDocument{find_preset("moon")->scene, "moon"}));
+  tap(Key::z, control);
+  EXPECT_EQ(session.document().preset, "storm");
+}
+
+TEST_F(SessionTest, ASlashSearchesAndThenTheKeysBelongToTheField) {
+  session.load_link("quality.resolution_scale=0.25");
+  session.resize(640, 400, 1.0);
+  settle();
+  drag();
+  settle();
+  const double dragged = longitude();
+  session.text('/');  // the panel is hidden, and comes
+  settle();
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  tap(Key::z, control);
+  session.key(Key::d, true, {});
+  frames(5);
+  session.key(Key::d, false, {});
+  EXPECT_EQ(longitude(), dragged);
+  tap(Key::escape);
+  settle();
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+  tap(Key::z, control);
+  EXPECT_NE(longitude(), dragged);
+}
+
+TEST_F(SessionTest, WhileCIsHeldThePlanetIsAsItWasOpened) {
+  session.load_link("preset=moon");
+  const auto opened = pixels();
+  EXPECT_EQ(session.set("terrain.land_color", "ff0000"), "");
+  EXPECT_EQ(session.set("terrain.mountain_color", "ff0000"), "");
+  const SceneDocument document = session.document();
+  const auto changed = pixels();
+  ASSERT_NE(changed, opened);
+  const int told = changes;
+  session.key(Key::c, true, {});
+  EXPECT_EQ(pixels(), opened);
+  EXPECT_EQ(session.document(), document);
+  session.key(Key::c, false, {});
+  EXPECT_EQ(pixels(), changed);
+  EXPECT_EQ(changes, told);
+}
+
+TEST_F(SessionTest, ComparingEndsWhenTheKeyboardGoesElsewhere) {
+  session.load_link("preset=moon");
+  EXPECT_EQ(session.set("terrain.land_color", "ff0000"), "");
+  EXPECT_EQ(session.set("terrain.mountain_color", "ff0000"), "");
+  const auto changed = pixels();
+  session.key(Key::c, true, {});
+  EXPECT_NE(pixels(), changed);
+  session.keys_left();
+  EXPECT_EQ(pixels(), changed);
+}
+
+TEST_F(SessionTest, ComparingKeepsTheCamera) {
+  settle();
+  const auto opened = pixels();
+  drag();
+  const auto dragged = pixels();
+  ASSERT_NE(dragged, opened);
+  session.key(Key::c, true, {});
+  EXPECT_EQ(pixels(), dragged);
+}
+
+}  // namespace
+}  // namespace terrella
