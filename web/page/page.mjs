@@ -40,3 +40,12 @@ addEventListener('resize', () => planet.fit());
 
 window.terrella = planet.api;
 planet.start();
+
+// Keeps the page for when there is no network, where a browser and the way here (https, or this machine) allow it. Long
+// after the first picture, which has better use for the wire.
+async function keepForLater() {
+  await planet.api.ready;
+  await new Promise(done => setTimeout(done, 2000));
+  await navigator.serviceWorker.register('worker.js');
+}
+keepForLater().catch(() => {});
