@@ -84,17 +84,32 @@ describe('the element', () => {
     await page.evaluate(() => {
       window.losses = 0;
       changed.shadowRoot.querySelector('canvas').addEventListener('webglcontextlost', () => ++losses);
-      document.body.append(changed);
+      document.body.prepend(changed);
     });
     await sleep(300);
     assert.equal(await page.evaluate(() => losses), 0);
     for (const wait of ['0', 'Promise.resolve()', 'new Promise(done => setTimeout(done))', 'new Promise(done => setTimeout(done, 40))']) {
       const frames = await page.evaluate(() => changed.stats().frames);
-      await page.evaluate(`(async () => { const planet = changed; planet.remove(); await ${wait}; document.body.append(planet); })()`);
+      await page.evaluate(`(async () => { const planet = changed; planet.remove(); await ${wait}; document.body.prepend(planet); })()`);
       await page.evaluate(() => changed.set('clouds.coverage', Math.random()));
       await until(page, count => changed.stats().frames > count + 1, frames);
     }
     assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('draws only while it is in sight', async () => {
+    const page = await openExamples();
+    const frames = () => page.evaluate(() => storm.stats().frames);
+    await page.evaluate(() => { storm.setAttribute('pause', '0'); });
+    await until(page, count => storm.stats().frames > count + 3, await frames());
+    await page.evaluate(() => { document.body.style.paddingBottom = '3000px'; scrollTo(0, 3000); });
+    await sleep(2000);
+    const before = await frames();
+    await sleep(2000);
+    assert.equal(await frames(), before);
+    await page.evaluate(() => scrollTo(0, 0));
+    await until(page, count => storm.stats().frames > count + 3, before);
     await page.context().close();
   });
 

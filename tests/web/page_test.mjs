@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { sleep, until } from './browser.mjs';
-import { look, testSite } from './site.mjs';
+import { look, settled, testSite } from './site.mjs';
 
 const site = testSite();
 const open = site.open;
@@ -96,13 +96,7 @@ describe('the page', () => {
   test('draws nothing while the clock stands and nobody touches it', async () => {
     const page = await open('?panel=0&pause=1');
     const frames = () => page.evaluate(() => terrella.stats().frames);
-    let before = -1;
-    for (let rests = 0; rests < 4;) {  // until it has settled
-      await sleep(500);
-      const now = await frames();
-      rests = now === before ? rests + 1 : 0;
-      before = now;
-    }
+    const before = await settled(page);
     const draws = await page.evaluate(() => {
       let count = 0;
       const gl = document.querySelector('canvas').getContext('webgl2');
@@ -182,7 +176,7 @@ describe('the page', () => {
 
   test('keeps the whole picture while only the panel is drawn again', async () => {
     const page = await open('?panel=0&pause=1&preset=moon');
-    await sleep(1000);
+    await settled(page);
     const before = await look(page);
     await page.focus('canvas');
     await page.keyboard.press('x');

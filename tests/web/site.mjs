@@ -1,7 +1,7 @@
 // The built page on a server of its own, and a browser that opens it and notes all that goes wrong.
 import { after, before } from 'node:test';
 import { chromium } from 'playwright-core';
-import { executablePath, until } from './browser.mjs';
+import { executablePath, sleep, until } from './browser.mjs';
 import { serve } from './serve.mjs';
 
 const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
@@ -44,6 +44,19 @@ export function testSite() {
     return page;
   };
   return site;
+}
+
+// Waits until nothing has been drawn for two seconds, and returns the number of frames until then.
+export async function settled(page) {
+  let before = -1, rests = 0;
+  for (let i = 0; i < 120; ++i) {
+    await sleep(500);
+    const now = await page.evaluate(() => terrella.stats().frames);
+    rests = now === before ? rests + 1 : 0;
+    if (rests === 4) return now;
+    before = now;
+  }
+  throw new Error('it draws and draws');
 }
 
 // Mean brightness and number of different colours of what is on screen, or of one element.

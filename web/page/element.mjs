@@ -48,6 +48,13 @@ export class TerrellaPlanet extends HTMLElement {
     });
     Object.assign(this, this.#planet.api);
     this.on('change', () => this.dispatchEvent(new Event('change')));
+    this.#watchSight();
+  }
+
+  // Not before it is ready, which others may wait for.
+  #watchSight() {
+    const watcher = new IntersectionObserver(entries => this.#planet.setSeen(entries.at(-1).isIntersecting));
+    this.ready.then(() => watcher.observe(this), () => {});
   }
 
   connectedCallback() {

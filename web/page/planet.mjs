@@ -18,6 +18,7 @@ export class Planet {
   #loser = null;        // what gives the context back, while it is given back
   #lost = false;
   #asleep = false;
+  #unseen = false;
   #scheduled = false;
   #keepReady;
   #breakReady;
@@ -103,6 +104,12 @@ export class Planet {
     this.#wake();
   }
 
+  // A planet that nobody sees is not drawn, except into screenshots.
+  setSeen(seen) {
+    this.#unseen = !seen;
+    this.#wake();
+  }
+
   // A text from the clipboard.
   paste(text) {
     if (!this.#program) return;
@@ -141,14 +148,14 @@ export class Planet {
   // Frames
 
   #wake() {
-    if (this.#scheduled || this.#asleep || !this.#program) return;
+    if (this.#scheduled || this.#asleep || this.#unseen || !this.#program) return;
     this.#scheduled = true;
     requestAnimationFrame(now => this.#turn(now));
   }
 
   #turn(now) {
     this.#scheduled = false;
-    if (this.#lost || this.#asleep) return;
+    if (this.#lost || this.#asleep || this.#unseen) return;
     const result = this.#program._terrella_frame(now / 1000);
     if (result < 1) {
       this.#around.progressed(0.3 + 0.7 * result);
