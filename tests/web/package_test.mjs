@@ -4,6 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, test } from 'node:test';
+import { serve } from './serve.mjs';
 import { dist, testSite } from './site.mjs';
 
 const folder = join(dist, '../package');
@@ -30,6 +31,23 @@ describe('the package', () => {
   test('has the files that its entry asks for', () => {
     const { exports, files, types: named } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
     for (const path of [exports['.'].default, exports['.'].types, named, ...files]) readFileSync(join(folder, path));
+  });
+
+  test('draws a planet by itself', async t => {
+    const server = await serve(folder);
+    t.after(server.close);
+    const page = await site.browser.newPage();
+    await page.goto(server.url + 'LICENSE');
+    const scene = await page.evaluate(async entry => {
+      await import(new URL(entry, location));
+      document.body.innerHTML = '<terrella-planet preset="moon" panel="0" pause="1"></terrella-planet>';
+      const planet = document.querySelector('terrella-planet');
+      await planet.ready;
+      return planet.scene();
+    }, './element.mjs');
+    assert.deepEqual(scene, { terrella: 1, preset: 'moon' });
+    assert.deepEqual(server.log.missing.filter(path => path !== '/favicon.ico'), []);  // which browsers ask for unasked
+    await page.close();
   });
 
   test('declares each member that there is, and no other', async () => {
