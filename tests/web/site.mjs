@@ -47,11 +47,12 @@ export function testSite() {
 }
 
 // Waits until nothing has been drawn for two seconds, and returns the number of frames until then.
-export async function settled(page) {
+// planet: the name of a global.
+export async function settled(page, planet = 'terrella') {
   let before = -1, rests = 0;
   for (let i = 0; i < 120; ++i) {
     await sleep(500);
-    const now = await page.evaluate(() => terrella.stats().frames);
+    const now = await page.evaluate(name => window[name].stats().frames, planet);
     rests = now === before ? rests + 1 : 0;
     if (rests === 4) return now;
     before = now;
