@@ -49,7 +49,7 @@ function watch() {
 }
 
 async function open(browser, url, size = viewport) {
-  const page = await (await browser.newContext({ viewport: size })).newPage();
+  const page = await (await browser.newContext({ viewport: size, serviceWorkers: 'block' })).newPage();
   await page.addInitScript(watch);
   await page.goto(url);
   return page;

@@ -1,4 +1,4 @@
-// The page's side of the program: C functions that web/page/terrella.mjs calls, and calls back into it.
+// The page's side of the program: C functions that web/page/planet.mjs calls, and calls back into it.
 #include <emscripten.h>
 #include <emscripten/html5_webgl.h>
 
@@ -10,6 +10,7 @@
 #include "app/session.hpp"
 #include "base/check.hpp"
 #include "gl/caps.hpp"
+#include "scene/description.hpp"
 #include "scene/json.hpp"
 #include "scene/link.hpp"
 #include "scene/manual.hpp"
@@ -20,6 +21,8 @@ namespace {
 using terrella::Session;
 
 // clang-format off
+// A page may hold several canvases, each with a program of its own, which alone knows this name.
+EM_JS(void, page_name_canvas, (), { specialHTMLTargets["!planet"] = Module.canvas; });
 EM_JS(void, page_scene_changed, (), { Module.onSceneChanged(); });
 EM_JS(void, page_copy_text, (const char* text), { Module.onCopyText(UTF8ToString(text)); });
 EM_JS(void, page_save_json, (const char* text), { Module.onSaveJson(UTF8ToString(text)); });
@@ -53,7 +56,8 @@ EMSCRIPTEN_KEEPALIVE int terrella_start() {
     emscripten_webgl_init_context_attributes(&attributes);
     attributes.majorVersion = 2;
     attributes.enableExtensionsByDefault = false;  // thirty questions to the driver; read_caps asks the ones it needs
-    context = emscripten_webgl_create_context("#planet", &attributes);
+    page_name_canvas();
+    context = emscripten_webgl_create_context("!planet", &attributes);
     CHECK(context > 0, context);
   }
   emscripten_webgl_make_context_current(context);
@@ -109,6 +113,7 @@ EMSCRIPTEN_KEEPALIVE const char* terrella_set(const char* path, const char* text
 }
 EMSCRIPTEN_KEEPALIVE const char* terrella_scene() { return returned(terrella::to_json(session->document())); }
 EMSCRIPTEN_KEEPALIVE const char* terrella_link() { return returned(terrella::to_link(session->document())); }
+EMSCRIPTEN_KEEPALIVE const char* terrella_description() { return returned(terrella::description(session->document())); }
 EMSCRIPTEN_KEEPALIVE const char* terrella_load_json(const char* text) {
   return returned_list(session->load_json(text));
 }

@@ -1,79 +1,20 @@
 // The real page in a real browser.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { chromium } from 'playwright-core';
-import { executablePath, sleep, until } from './browser.mjs';
-import { serve } from './serve.mjs';
+import { describe, test } from 'node:test';
+import { sleep, until } from './browser.mjs';
+import { look, settled, testSite } from './site.mjs';
 
-const dist = process.env.TERRELLA_DIST;
-const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-const size = { width: 320, height: 240 };
-
-let server, browser;
-before(async () => {
-  server = await serve(dist);
-  browser = await chromium.launch({ executablePath, args });
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
-
-// A page with all that went wrong in it.
-async function open(query = '', options = {}) {
-  const context = await browser.newContext({ viewport: size, screen: { width: 1920, height: 1080 }, ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(120_000);
-  page.wrong = [];
-  page.on('console', message => { if (message.type() === 'error') page.wrong.push(message.text()); });
-  page.on('pageerror', error => page.wrong.push(error.message));
-  page.on('request', request => { if (!request.url().startsWith(server.url) && !request.url().startsWith('blob:')) page.wrong.push(request.url()); });
-  if (options.script) await page.addInitScript(options.script);
-  await page.goto(server.url + query);
-  await until(page, () => Boolean(window.terrella));
-  if (!options.broken) await page.evaluate(() => terrella.ready);
-  return page;
-}
-
-// Mean brightness and number of different colours of what is on screen.
-async function look(page) {
-  const png = (await page.screenshot()).toString('base64');
-  return page.evaluate(async data => {
-    const bytes = Uint8Array.from(atob(data), c => c.charCodeAt(0));
-    const picture = await createImageBitmap(new Blob([bytes]));
-    const sheet = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
-    sheet.drawImage(picture, 0, 0);
-    const pixels = sheet.getImageData(0, 0, picture.width, picture.height).data;
-    const colors = new Set();
-    let sum = 0;
-    for (let i = 0; i < pixels.length; i += 4) {
-      sum += pixels[i] + pixels[i + 1] + pixels[i + 2];
-      colors.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
-    }
-    return { brightness: sum / pixels.length / 0.75 / 255, colors: colors.size };
-  }, png);
-}
-
-// Waits until no more of the planet is drawn, and gives the number of its frames.
-async function settled(page) {
-  let before = -1;
-  for (let rests = 0; rests < 4;) {
-    await sleep(500);
-    const now = await page.evaluate(() => terrella.stats().frames);
-    rests = now === before ? rests + 1 : 0;
-    before = now;
-  }
-  return before;
-}
+const site = testSite();
+const open = site.open;
 
 describe('the page', () => {
   test('opens small, from one host, without a complaint, and shows a planet', async () => {
-    Object.assign(server.log, { requests: 0, gzipped: 0, missing: [] });
+    Object.assign(site.server.log, { requests: 0, gzipped: 0, missing: [] });
     const page = await open('?panel=0&pause=1');
     assert.deepEqual(page.wrong, []);
-    assert.deepEqual(server.log.missing, []);
-    assert.ok(server.log.requests <= 8, `${server.log.requests} requests`);
-    assert.ok(server.log.gzipped <= 350_000, `${server.log.gzipped} bytes gzipped`);
+    assert.deepEqual(site.server.log.missing, []);
+    assert.ok(site.server.log.requests <= 8, `${site.server.log.requests} requests`);
+    assert.ok(site.server.log.gzipped <= 350_000, `${site.server.log.gzipped} bytes gzipped`);
     const seen = await look(page);
     assert.ok(seen.brightness > 0.03 && seen.colors > 500, JSON.stringify(seen));
     await page.context().close();
@@ -86,7 +27,7 @@ describe('the page', () => {
     const link = new URL(await page.evaluate(() => terrella.link()));
     assert.equal(link.searchParams.get('preset'), 'storm');
     assert.equal(link.searchParams.get('waves.steepness'), '0.5');
-    assert.ok(link.href.startsWith(server.url));
+    assert.ok(link.href.startsWith(site.server.url));
     await page.context().close();
   });
 

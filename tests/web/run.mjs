@@ -1,6 +1,6 @@
 // Runs the tests of the page against build/web/dist.
 import { spawnSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -10,5 +10,7 @@ if (!existsSync(join(dist, 'index.html'))) {
   console.error(`There is no page in ${dist}; build it first: make test does.`);
   process.exit(1);
 }
-const result = spawnSync(process.execPath, ['--test', join(here, 'page_test.mjs')], { stdio: 'inherit', env: { ...process.env, TERRELLA_DIST: dist } });
+// One file after the other: they share the processor that draws for them.
+const tests = readdirSync(here).filter(name => name.endsWith('_test.mjs')).map(name => join(here, name));
+const result = spawnSync(process.execPath, ['--test', '--test-concurrency=1', ...tests], { stdio: 'inherit', env: { ...process.env, TERRELLA_DIST: dist } });
 process.exit(result.status ?? 1);

@@ -1,0 +1,374 @@
+// A planet on a canvas: a program of its own, fed with what hands do, and what it offers to other programs. Of a page it
+// knows only what it is told, so that there may be several on one.
+
+// In the order of terrella::Key.
+const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', '+', '-', ' ',
+  'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'q', 'r', 's', 'v', 'w', 'x', 'y', 'z'];
+
+const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
+
+// A value as a link writes it.
+const asText = value => typeof value === 'string' ? value : JSON.stringify(value) ?? String(value);
+
+export class Planet {
+  #canvas;
+  #around;
+  #program = null;      // the module's exports
+  #context = null;
+  #loser = null;        // what gives the context back, while it is given back
+  #lost = false;
+  #asleep = false;
+  #unseen = false;
+  #scheduled = false;
+  #keepReady;
+  #breakReady;
+  #listeners = { change: new Set() };
+  #describing = 0;
+
+  api;  // what programs get; see terrella.d.ts
+
+  // around: what belongs to the surroundings.
+  //   query()            scene, panel and pause, as in a link
+  //   linkTo(query)      the link that leads to a scene
+  //   firstSize()        in CSS pixels, where the canvas may not have been laid out yet
+  //   progressed(share), shown(), failed(sentence)
+  constructor(canvas, around) {
+    this.#canvas = canvas;
+    this.#around = { linkTo: query => '?' + query, firstSize: () => [canvas.clientWidth, canvas.clientHeight],
+      progressed() {}, shown() {}, failed() {}, ...around };
+    const ready = new Promise((keep, breakIt) => { this.#keepReady = keep; this.#breakReady = breakIt; });
+    ready.catch(() => {});  // the surroundings show the sentence; a caller may still ask for it
+    this.api = this.#offers(ready);
+    this.#watchContext();
+  }
+
+  async start() {
+    if (typeof WebAssembly !== 'object') {
+      return this.#fail('Terrella needs WebAssembly, which this browser does not have or does not allow.');
+    }
+    const coming = import('./terrella.js').then(module => module.default(this.#host()));
+    coming.catch(() => {});  // told below, unless the canvas has told already
+    this.#around.progressed(0.1);
+    // While the program is on its way the driver sets itself up.
+    this.#size(...this.#around.firstSize());
+    this.#context = this.#canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false, powerPreference: 'high-performance' });
+    if (!this.#context) {
+      return this.#fail('Terrella draws with WebGL 2, which this browser or its graphics driver does not offer.');
+    }
+    try {
+      this.#program = await coming;
+    } catch (error) {
+      return this.#fail('Terrella could not start its WebAssembly program: ' + error.message);
+    }
+    this.#around.progressed(0.3);
+    if (this.#around.query()) this.loadQuery();
+    this.showPanel();
+    this.setClock();
+    this.#describe();
+    const hand = { canvas: this.#canvas, program: this.#program, wake: () => this.#wake() };
+    listenToPointers(hand);
+    listenToKeys(hand);
+    this.#listenToDrops();
+    new ResizeObserver(() => this.fit()).observe(this.#canvas);
+    this.#begin();
+  }
+
+  // Scene, panel and clock as the surroundings' query has them; nothing before there is a program, which asks by itself.
+
+  loadQuery() {
+    if (!this.#program) return;
+    this.#note(this.#sentences('load_link', this.#around.query()));
+    this.#wake();
+  }
+  showPanel() {
+    this.#program?._terrella_show_panel(this.#asked('panel') === '0' ? 0 : 1);
+    this.#wake();
+  }
+  setClock() {
+    const asked = this.#asked('pause');
+    const stopped = asked === '1' || (asked !== '0' && matchMedia('(prefers-reduced-motion: reduce)').matches);
+    this.#program?._terrella_set_paused(stopped ? 1 : 0);
+    this.#wake();
+  }
+  #asked(key) { return new URLSearchParams(this.#around.query()).get(key); }
+
+  // Gives the context back, and all that lies on the GPU with it, until it is wanted again.
+  sleep() {
+    this.#asleep = true;
+    this.#loser ??= this.#context?.getExtension('WEBGL_lose_context') ?? null;
+    this.#loser?.loseContext();
+  }
+  rouse() {
+    this.#asleep = false;
+    if (this.#lost) this.#loser?.restoreContext();
+    this.#wake();
+  }
+
+  // A planet that nobody sees is not drawn, except into screenshots.
+  setSeen(seen) {
+    this.#unseen = !seen;
+    this.#wake();
+  }
+
+  // A text from the clipboard.
+  paste(text) {
+    if (!this.#program) return;
+    this.#call('pasted', ['string'], [text]);
+    this.#wake();
+  }
+
+  // To be called as well when the page's zoom has changed, of which nobody tells the canvas.
+  fit() {
+    if (!this.#program || !this.#canvas.isConnected) return;
+    const width = Math.max(1, this.#canvas.clientWidth), height = Math.max(1, this.#canvas.clientHeight);
+    this.#size(width, height);
+    this.#program._terrella_resize(width, height, scale());
+    this.#wake();
+  }
+
+  // In whole device pixels, whatever the zoom of the page.
+  #size(width, height) {
+    const canvas = this.#canvas, pixels = [Math.round(width * scale()), Math.round(height * scale())];
+    if (canvas.width !== pixels[0] || canvas.height !== pixels[1]) [canvas.width, canvas.height] = pixels;
+  }
+
+  #fail(sentence) {
+    this.#around.failed(sentence);
+    this.#breakReady(new Error(sentence));
+  }
+
+  // Text in and out of the program's memory.
+  #call(name, types, values, returns = null) {
+    if (!this.#program) throw new Error('The planet is still waking up; wait for its `ready` first.');
+    return this.#program.ccall('terrella_' + name, returns, types, values);
+  }
+  #text(name, ...texts) { return this.#call(name, texts.map(() => 'string'), texts, 'string'); }
+  #sentences(name, text) { return JSON.parse(this.#text(name, text)); }
+
+  // Frames
+
+  #wake() {
+    if (this.#scheduled || this.#asleep || this.#unseen || !this.#program) return;
+    this.#scheduled = true;
+    requestAnimationFrame(now => this.#turn(now));
+  }
+
+  #turn(now) {
+    this.#scheduled = false;
+    if (this.#lost || this.#asleep || this.#unseen) return;
+    const result = this.#program._terrella_frame(now / 1000);
+    if (result < 1) {
+      this.#around.progressed(0.3 + 0.7 * result);
+      setTimeout(() => this.#wake(), 15);  // not at the next frame: there is nothing to paint, and the driver is busy
+      return;
+    }
+    const [drawn, again, whole] = [1, 2, 4].map(bit => ((result - 1) & bit) !== 0);
+    if (drawn) this.#around.shown();
+    if (whole) this.#keepReady();
+    if (again) this.#wake();
+  }
+
+  // Whatever lies on the GPU is made here: at first, and again when a context that was lost has come back, even one that
+  // was lost before there was a program.
+  #begin() {
+    if (!this.#program || this.#lost) return;
+    if (!this.#program._terrella_start()) {
+      return this.#fail('Terrella draws into float textures, which this graphics driver does not offer.');
+    }
+    this.fit();
+  }
+
+  #watchContext() {
+    this.#canvas.addEventListener('webglcontextlost', event => {
+      event.preventDefault();
+      this.#lost = true;
+      this.#program?._terrella_context_lost();
+      // Wanted again before the loss was told, when it could not be restored yet.
+      if (!this.#asleep) setTimeout(() => { if (this.#lost && !this.#asleep) this.#loser?.restoreContext(); });
+    });
+    this.#canvas.addEventListener('webglcontextrestored', () => {
+      this.#lost = false;
+      this.#loser = null;
+      if (this.#asleep) this.sleep();
+      else this.#begin();
+    });
+  }
+
+  // For those who do not see it. Not at every step of a hand: a screen reader would read each aloud.
+  #describe() { this.#canvas.setAttribute('aria-label', this.#text('description')); }
+  #sceneChanged() {
+    for (const listener of this.#listeners.change) listener();
+    clearTimeout(this.#describing);
+    this.#describing = setTimeout(() => this.#describe(), 300);
+  }
+
+  // Files
+
+  #listenToDrops() {
+    this.#canvas.addEventListener('dragover', event => event.preventDefault());
+    this.#canvas.addEventListener('drop', async event => {
+      event.preventDefault();
+      const file = event.dataTransfer.files[0];
+      if (file) this.#loadFile(await file.text());
+    });
+  }
+
+  #loadFile(text) {
+    this.#note(this.#sentences('load_json', text));
+    this.#wake();
+  }
+  #note(sentences) { for (const sentence of sentences) this.#call('add_notice', ['string'], [sentence]); }
+
+  // What the program asks of its surroundings (web/main.cpp).
+  #host() {
+    return {
+      canvas: this.#canvas,
+      onSceneChanged: () => this.#sceneChanged(),
+      onCopyText: text => {
+        navigator.clipboard?.writeText(text.startsWith('{') ? text : this.api.link()).catch(() => {});
+      },
+      onSaveJson: text => save(new Blob([text], { type: 'application/json' }), 'planet.json'),
+      onOpenJson: () => {
+        const input = document.createElement('input');
+        input.type = 'file';
+        input.accept = '.json,application/json';
+        input.onchange = async () => { if (input.files[0]) this.#loadFile(await input.files[0].text()); };
+        input.click();
+      },
+      onSavePicture: () => this.#screenshot().then(blob => save(blob, 'planet.png')),
+    };
+  }
+
+  async #screenshot({ width = this.#canvas.width, height = this.#canvas.height } = {}) {
+    const most = this.#call('largest_picture', [], [], 'number');
+    if (this.#lost || this.#asleep) throw new Error('The planet has no graphics context at the moment, so that it cannot draw.');
+    for (const side of [width, height]) {
+      if (!Number.isInteger(side) || side < 1 || side > most) {
+        throw new Error(`A screenshot's width and height are whole numbers, 1 to ${most}; ${side} is not.`);
+      }
+    }
+    const at = this.#program._terrella_picture(width, height);
+    const bytes = new Uint8ClampedArray(this.#program.HEAPU8.buffer, at, 4 * width * height).slice();
+    const sheet = new OffscreenCanvas(width, height);
+    sheet.getContext('2d').putImageData(new ImageData(bytes, width, height), 0, 0);
+    this.#wake();
+    return sheet.convertToBlob({ type: 'image/png' });
+  }
+
+  #offers(ready) {
+    return {
+      ready,
+      get: path => {
+        const text = this.#text('get', String(path));
+        if (text === '') throw new Error(this.#text('no_such_parameter', String(path)));
+        return JSON.parse(text);
+      },
+      set: (path, value) => {
+        const sentence = this.#text('set', String(path), asText(value));
+        if (sentence !== '') throw new Error(sentence);
+        this.#wake();
+      },
+      scene: () => JSON.parse(this.#text('scene')),
+      load: scene => {
+        const sentences = typeof scene === 'string' ? this.#sentences('load_link', scene) : this.#sentences('load_json', JSON.stringify(scene));
+        this.#wake();
+        return sentences;
+      },
+      link: () => this.#around.linkTo(this.#text('link')),
+      stats: () => JSON.parse(this.#text('stats')),
+      screenshot: size => this.#screenshot(size),
+      render: seconds => this.#call('render', ['number'], [seconds]),
+      on: (event, listener) => {
+        const listeners = this.#listeners[event];
+        if (!listeners) throw new Error(`There is no event "${event}"; there is change.`);
+        listeners.add(listener);
+        return () => listeners.delete(listener);
+      },
+    };
+  }
+}
+
+function save(blob, name) {
+  const anchor = document.createElement('a');
+  anchor.href = URL.createObjectURL(blob);
+  anchor.download = name;
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+}
+
+// Hands
+
+const buttonOf = event => ({ 0: 0, 1: 2, 2: 1 })[event.button] ?? 0;
+
+function listenToPointers({ canvas, program, wake }) {
+  const fingers = new Map();
+  const place = event => {
+    const box = canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
+  const twoFingers = () => {
+    const [[ax, ay], [bx, by]] = [...fingers.values()];
+    return { x: (ax + bx) / 2, y: (ay + by) / 2, span: Math.max(1, Math.hypot(ax - bx, ay - by)) };
+  };
+  const moved = event => {
+    const at = place(event);
+    if (fingers.has(event.pointerId) && fingers.size === 2) {
+      const before = twoFingers();
+      fingers.set(event.pointerId, at);
+      const after = twoFingers();
+      program._terrella_pinch(after.span / before.span, after.x - before.x, after.y - before.y, after.x, after.y);
+    } else if (fingers.size < 2) {
+      if (fingers.has(event.pointerId)) fingers.set(event.pointerId, at);
+      program._terrella_pointer_moved(...at);
+    }
+  };
+  const down = event => {
+    canvas.focus();
+    canvas.setPointerCapture(event.pointerId);
+    const at = place(event);
+    if (event.pointerType === 'touch') fingers.set(event.pointerId, at);
+    if (fingers.size > 1) {
+      program._terrella_pointer_button(0, 0);
+    } else {
+      program._terrella_pointer_moved(...at);
+      program._terrella_pointer_button(buttonOf(event), 1);
+    }
+  };
+  const up = event => {
+    const wasPinch = fingers.size > 1;
+    fingers.delete(event.pointerId);
+    if (!wasPinch) program._terrella_pointer_button(buttonOf(event), 0);
+    if (event.pointerType === 'touch') program._terrella_pointer_left();
+  };
+  const wheel = event => {
+    event.preventDefault();
+    const lines = event.deltaMode === 1 ? event.deltaY / 3 : event.deltaMode === 2 ? event.deltaY : event.deltaY / 100;
+    program._terrella_wheel(-Math.max(-4, Math.min(4, lines)));
+  };
+  const on = (name, act, options) => canvas.addEventListener(name, event => { act(event); wake(); }, options);
+  on('pointerdown', down);
+  on('pointermove', moved);
+  on('pointerup', up);
+  on('pointercancel', up);
+  on('pointerleave', () => program._terrella_pointer_left());
+  on('wheel', wheel, { passive: false });
+  canvas.addEventListener('contextmenu', event => event.preventDefault());
+}
+
+function listenToKeys({ canvas, program, wake }) {
+  const key = down => event => {
+    const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const index = Math.max(0, keys.indexOf(name === '=' ? '+' : name));
+    const control = event.ctrlKey || event.metaKey;
+    program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
+    if (down && event.key.length === 1 && !control) program._terrella_text(event.key.codePointAt(0));
+    // The browser would search, scroll or open a list of its own.
+    const ours = control ? name === 'z' || name === 'y' : index > 0 || event.key.length === 1;
+    if (ours && event.key !== 'Tab') event.preventDefault();
+    wake();
+  };
+  canvas.addEventListener('keydown', key(true));
+  canvas.addEventListener('keyup', key(false));
+  // Where the focus has gone somebody else hears of the key that goes up.
+  canvas.addEventListener('blur', () => { program._terrella_keys_left(); wake(); });
+}
