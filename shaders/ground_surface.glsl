@@ -11,7 +11,7 @@ void emit_ground(GroundAt ground) {
   vec3 place = surface_position();
   float radius = length(place);
   vec3 up = place / radius;
-  vec3 normal = surface_normal(up, radius, ground.gradient);
+  vec3 normal = slope_normal(up, radius, ground.gradient);
   vec3 albedo = ground_albedo(up, ground, normal);
   // Just under water the light has come through some of it; further down the water hides the ground.
   albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * ground.height);

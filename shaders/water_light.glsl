@@ -21,7 +21,7 @@ vec3 light_through(Water w, LightAt at, vec3 ray, float shade) {
   found.height = height;
   float depth = max(0.5 * (deep - height), 0.0);
 
-  vec3 normal = surface_normal(bottom, 1.0 + max(height, 0.0), found.gradient);
+  vec3 normal = slope_normal(bottom, 1.0 + max(height, 0.0), found.gradient);
   vec3 albedo = ground_albedo(bottom, found, normal);
   float sun_height = dot(at.up, sun_direction.xyz);
   vec3 left = transmitted(water_extinction.rgb, depth / dive);

@@ -52,6 +52,7 @@ void main() {
   vec3 up = normalize(surface_position());
   GroundAt ground = ground_at(textureLod(ground_map, up, levels.z), up);
   float footprint = pixel_footprint(up, surface_from_eye, 0.12);
-  ground.gradient += shaped(fine_gradient(surface_from_eye, footprint), ground.height + sea.x - 1.0);
+  vec3 fine = shaped(fine_gradient(surface_from_eye, footprint), ground.height + sea.x - 1.0);
+  ground.gradient += fine - dot(fine, up) * up;
   emit_ground(ground);
 }

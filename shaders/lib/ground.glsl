@@ -20,11 +20,10 @@ float band(float edge, float scale, float softness, float x) {
 vec3 ground_color(float height, float steepness, float sine, float variation, Bands b) {
   float scale = max(b.mountain_height, 1.0e-6);
   float x = height + 0.18 * scale * variation;
-  vec3 color = mix(b.seabed, b.sand, band(0.0, b.sand_height, 1.0, height));
-  // Sand is dark where the sea has wetted it.
-  color *= mix(0.62, 1.0, smoothstep(-0.1, 0.5, height / max(b.sand_height, 1.0e-6)));
+  float dry = band(0.0, b.sand_height, 1.0, height);
+  vec3 color = mix(b.seabed, b.sand, dry) * mix(0.55, 1.0, dry);  // sand is dark where the sea has wetted it
   float up_there = clamp(x / scale, 0.0, 1.0);
-  vec3 land = mix(b.land, mix(b.sand, b.mountain, 0.6), 0.8 * b.thinning * up_there * up_there);
+  vec3 land = mix(b.land, b.mountain, 0.7 * b.thinning * up_there * up_there);
   color = mix(color, land, band(b.sand_height, scale, 0.35 * b.softness, x));
   color = mix(color, b.mountain, band(b.mountain_height, scale, b.softness, x));
   float bare = b.slope_rock * smoothstep(0.06, 0.30, steepness) * step(0.0, height);

@@ -113,9 +113,14 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
   return ground;
 }
 
+// The outward normal of a surface at radius (planet radii) whose radius changes by slope over the unit sphere. slope:
+// along the sphere.
+vec3 slope_normal(vec3 direction, float radius, vec3 slope) {
+  return normalize(direction - slope / radius);
+}
+
 // The outward normal of a surface at radius (planet radii) whose radius changes by gradient over the unit sphere
 // (Sandahl (13) as it must be: the gradient divided by the radius, and only its tangential part).
 vec3 surface_normal(vec3 direction, float radius, vec3 gradient) {
-  vec3 tangential = gradient - dot(gradient, direction) * direction;
-  return normalize(direction - tangential / radius);
+  return slope_normal(direction, radius, gradient - dot(gradient, direction) * direction);
 }
