@@ -155,7 +155,7 @@ export class Planet {
 
   #turn(now) {
     this.#scheduled = false;
-    if (this.#lost || this.#asleep || this.#unseen) return;
+    if (!this.#canDraw() || this.#asleep || this.#unseen) return;
     const result = this.#program._terrella_frame(now / 1000);
     if (result < 1) {
       this.#around.progressed(0.3 + 0.7 * result);
@@ -171,12 +171,15 @@ export class Planet {
   // Whatever lies on the GPU is made here: at first, and again when a context that was lost has come back, even one that
   // was lost before there was a program.
   #begin() {
-    if (!this.#program || this.#lost) return;
+    if (!this.#program || !this.#canDraw()) return;
     if (!this.#program._terrella_start()) {
       return this.#fail('Terrella draws into float textures, which this graphics driver does not offer.');
     }
     this.fit();
   }
+
+  // The context may be gone before its event has told so.
+  #canDraw() { return !this.#lost && !this.#context.isContextLost(); }
 
   #watchContext() {
     this.#canvas.addEventListener('webglcontextlost', event => {
@@ -241,7 +244,7 @@ export class Planet {
 
   async #screenshot({ width = this.#canvas.width, height = this.#canvas.height } = {}) {
     const most = this.#call('largest_picture', [], [], 'number');
-    if (this.#lost || this.#asleep) throw new Error('The planet has no graphics context at the moment, so that it cannot draw.');
+    if (!this.#canDraw() || this.#asleep) throw new Error('The planet has no graphics context at the moment, so that it cannot draw.');
     for (const side of [width, height]) {
       if (!Number.isInteger(side) || side < 1 || side > most) {
         throw new Error(`A screenshot's width and height are whole numbers, 1 to ${most}; ${side} is not.`);
@@ -277,7 +280,7 @@ export class Planet {
       link: () => this.#around.linkTo(this.#text('link')),
       stats: () => JSON.parse(this.#text('stats')),
       screenshot: size => this.#screenshot(size),
-      render: seconds => this.#call('render', ['number'], [seconds]),
+      render: seconds => { if (!this.#context || this.#canDraw()) this.#call('render', ['number'], [seconds]); },
       on: (event, listener) => {
         const listeners = this.#listeners[event];
         if (!listeners) throw new Error(`There is no event "${event}"; there is change.`);
