@@ -17,11 +17,10 @@ vec3 light_through(Water w, LightAt at, vec3 ray, float shade) {
   // The bottom is where the ray meets it: one step from the depth below the surface comes close.
   vec3 bottom = normalize(at.up + refracted * (deep / dive));
   GroundAt found = ground_at(textureLod(ground_map, bottom, levels.z), bottom);
-  float height = w.depth > 0.0 ? min(found.height, 0.0) : found.height;
-  found.height = height;
-  float depth = max(0.5 * (deep - height), 0.0);
+  found.height = w.depth > 0.0 ? min(found.height, 0.0) : found.height;
+  float depth = max(0.5 * (deep - found.height), 0.0);
 
-  vec3 normal = slope_normal(bottom, 1.0 + max(height, 0.0), found.gradient);
+  vec3 normal = slope_normal(bottom, 1.0 + max(found.height, 0.0), found.gradient);
   vec3 albedo = ground_albedo(bottom, found, normal);
   float sun_height = dot(at.up, sun_direction.xyz);
   vec3 left = transmitted(water_extinction.rgb, depth / dive);

@@ -7,12 +7,12 @@ const int cyclone_count = 10;
 // Cyclone i of a planet. xyz: its eye (unit), 15 to 50 degrees from the equator, north and south by turns; w: its radius,
 // as a chord of the unit sphere.
 vec4 cyclone_place(int i, uint seed) {
-  uint h = hash_cell(ivec3(i, 3, 29), seed);
-  float sine = mix(0.26, 0.77, float(h & 1023u) / 1023.0);
-  float longitude = 6.283185307179586 * float((h >> 10) & 1023u) / 1024.0;
+  vec3 dice = hash_parts(hash_cell(ivec3(i, 3, 29), seed));
+  float sine = mix(0.26, 0.77, dice.x / 1023.0);
+  float longitude = 6.283185307179586 * dice.y / 1024.0;
   float level = sqrt(1.0 - sine * sine);
   return vec4(level * cos(longitude), level * sin(longitude), (i & 1) == 0 ? sine : -sine,
-              mix(0.28, 0.62, float((h >> 20) & 1023u) / 1023.0));
+              mix(0.28, 0.62, dice.z / 1023.0));
 }
 
 // Where the air at a direction (unit) was before a cyclone wound it up, unit. turn: tangent of half the angle by which its

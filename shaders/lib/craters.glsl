@@ -35,19 +35,16 @@ CraterShape crater_shape(float distance) {
 
 // Adds the crater of one cell to a height and its gradient over the unit sphere, both in cells of its size.
 void add_crater(vec3 direction, float frequency, ivec3 cell, uint seed, inout float height, inout vec3 gradient) {
-  uint h = hash_cell(cell, seed);
-  vec3 within = vec3(float(h & 1023u), float((h >> 10) & 1023u), float((h >> 20) & 1023u)) / 1023.0;
-  vec3 centre = vec3(cell) + within;
+  vec3 centre = vec3(cell) + hash_parts(hash_cell(cell, seed)) / 1023.0;
   float from_origin = length(centre);
   if (abs(from_origin - frequency) > crater_shell || from_origin < 0.5) return;
   vec3 offset = direction - centre / from_origin;
-  uint g = hash_cell(cell, seed + 77u);
-  float u = float(g & 1023u) / 1023.0;
-  float radius = 0.10 + 0.18 * u * u;
+  vec3 dice = hash_parts(hash_cell(cell, seed + 77u)) / 1023.0;
+  float radius = 0.10 + 0.18 * dice.x * dice.x;
   float distance_to = length(offset) * frequency / radius;
   if (distance_to >= crater_reach) return;
   // Old craters have been levelled.
-  float depth = 0.4 * radius * mix(0.3, 1.0, float((g >> 10) & 1023u) / 1023.0);
+  float depth = 0.4 * radius * mix(0.3, 1.0, dice.y);
   CraterShape shape = crater_shape(distance_to);
   height += depth * shape.height;
   gradient += (depth * shape.slope * frequency / (radius * max(length(offset), 1.0e-9))) * offset;

@@ -126,11 +126,15 @@ Noise flow_noise(ivec3 cell, vec3 q, float angle, uint seed) {
   return turned_noise(cell, q, vec2(cos(angle), sin(angle)), seed);
 }
 
+// Three whole numbers, 0 to 1023, from the bits of a hash.
+vec3 hash_parts(uint h) {
+  return vec3(float(h & 1023u), float((h >> 10) & 1023u), float((h >> 20) & 1023u));
+}
+
 // Where layer i of a stack begins, in cells: layers that share an origin would all be zero there. Multiples of 1/1024,
 // exact in single precision.
 vec3 layer_offset(int layer, uint seed) {
-  uint h = hash_cell(ivec3(layer, 7, 13), seed);
-  return vec3(float(h & 1023u), float((h >> 10) & 1023u), float((h >> 20) & 1023u)) / 1024.0;
+  return hash_parts(hash_cell(ivec3(layer, 7, 13), seed)) / 1024.0;
 }
 
 // The seed of layer i.

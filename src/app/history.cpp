@@ -72,19 +72,19 @@ void History::drop_empty_step() {
 const Snapshot& History::undo() {
   CHECK(can_undo(), "nothing to undo");
   drop_empty_step();
-  future_.push_back(present_);
-  present_ = past_.back();
-  past_.pop_back();
-  begin();
-  return present_;
+  return go(past_, future_);
 }
 
 const Snapshot& History::redo() {
   CHECK(can_redo(), "nothing to redo");
   drop_empty_step();
-  past_.push_back(present_);
-  present_ = future_.back();
-  future_.pop_back();
+  return go(future_, past_);
+}
+
+const Snapshot& History::go(std::deque<Snapshot>& to, std::deque<Snapshot>& from) {
+  from.push_back(present_);
+  present_ = to.back();
+  to.pop_back();
   begin();
   return present_;
 }

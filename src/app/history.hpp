@@ -51,6 +51,8 @@ class History {
   bool last_step_is_empty() const { return !past_.empty() && past_.back() == present_; }
   void drop_empty_step();
   void step_from_present();
+  // To the nearest of one side; the present becomes the nearest of the other.
+  const Snapshot& go(std::deque<Snapshot>& to, std::deque<Snapshot>& from);
 
   std::deque<Snapshot> past_, future_;  // the nearest last
   Snapshot present_;

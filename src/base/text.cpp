@@ -1,5 +1,6 @@
 #include "base/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -103,6 +104,12 @@ std::string shortened(std::string_view text, std::size_t max_length) {
   }
   if (at < text.size()) kept += "…";
   return kept;
+}
+
+std::string in_words(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
 
 std::string json_quoted(std::string_view text) {

@@ -21,6 +21,9 @@ std::optional<double> parse_number(std::string_view text);
 // spaces for control characters.
 std::string shortened(std::string_view text, std::size_t max_length = 40);
 
+// A name as one says it: "ridge_sharpness" as "ridge sharpness".
+std::string in_words(std::string_view name);
+
 // The text in double quotes, escaped as JSON asks. The text must be UTF-8.
 std::string json_quoted(std::string_view text);
 

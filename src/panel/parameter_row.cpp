@@ -20,8 +20,7 @@ constexpr double widest_slider = 5000;  // of whole numbers; beyond, a pixel wou
 
 // "ridge_sharpness" as "Ridge sharpness"
 std::string label_of(const Parameter& parameter) {
-  std::string label(parameter.name);
-  std::replace(label.begin(), label.end(), '_', ' ');
+  std::string label = in_words(parameter.name);
   if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
   return label;
 }

@@ -15,12 +15,6 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-std::string with_blanks(std::string_view name) {
-  std::string result(name);
-  std::replace(result.begin(), result.end(), '_', ' ');
-  return result;
-}
-
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < text.size();) {
@@ -33,7 +27,7 @@ std::vector<std::string> words_of(std::string_view text) {
 
 // All that is said about a parameter.
 std::string said_of(const Parameter& parameter) {
-  return lower(text_of(parameter.path, '\n', with_blanks(parameter.name), '\n', parameter.help, '\n',
+  return lower(text_of(parameter.path, '\n', in_words(parameter.name), '\n', parameter.help, '\n',
                        find_group(parameter.group)->title));
 }
 
@@ -54,7 +48,7 @@ std::string nothing_about(std::string_view text) {
   std::vector<std::string> names;
   for (const Group& group : groups()) names.push_back(lower(group.title));
   for (const Parameter& parameter : parameters()) {
-    names.push_back(with_blanks(parameter.name));
+    names.push_back(in_words(parameter.name));
     names.emplace_back(parameter.path);
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());

@@ -43,6 +43,7 @@ void CloudsShell::update(const Frame& frame) {
     steps_.fill(std::nullopt);
     job_step_.reset();
     if (fine_ && fine_->side() != key.texels) fine_.reset();
+    set_cyclones(frame.scene);
   }
 
   const double interval = frame.needs.cloud_interval;
@@ -126,7 +127,6 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
     const double angle = std::ldexp(frame.scene.clouds.speed * seconds, i);
     turns.at(static_cast<std::size_t>(i)) = glm::vec2(std::cos(angle), std::sin(angle));
   }
-  set_cyclones(frame.scene);
   for (std::size_t i = 0; i < turns.size(); i += 2) {
     const std::string name = "turns[" + std::to_string(i / 2) + "]";
     bake_program_.set(name.c_str(), turns[i].x, turns[i].y, turns[i + 1].x, turns[i + 1].y);
@@ -136,6 +136,7 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
 
 void CloudsShell::set_cyclones(const Scene& scene) {
   const int count = scene.clouds.swirl > 0.0 ? f32::cyclone_count : 0;
+  bake_program_.use();
   bake_program_.set("cyclones", count);
   for (int i = 0; i < count; ++i) {
     const std::string name = "cyclone[" + std::to_string(i) + "]";

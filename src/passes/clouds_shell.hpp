@@ -51,6 +51,7 @@ class CloudsShell {
   // Makes rows of the first step missing from step on; returns false if none of the next few is missing.
   bool advance(const Frame& frame, std::int64_t step, int steps, int rows);
   void bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, double seconds, int rows);
+  // They stay with the program until the scene changes.
   void set_cyclones(const Scene& scene);
   void make_coarse(const Frame& frame);
 

@@ -25,8 +25,7 @@ bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.low
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
 GroundIcosphere::Key GroundIcosphere::key_of(const Scene& scene, const Needs& needs) {
-  const double water_level = has_water(scene) ? scene.water.level : 0.0;
-  return {scene.planet, scene.terrain, water_level, needs.ground_level, needs.ground_texels};
+  return {scene.planet, scene.terrain, water_level(scene), needs.ground_level, needs.ground_texels};
 }
 
 void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {

@@ -2,25 +2,20 @@
 
 #include <glm/geometric.hpp>
 
+#include "formulas/formulas.hpp"
 #include "planet/terrain.hpp"
 
 namespace terrella {
-namespace {
-
-// Sine of the sun's height at which the first lights come on, as in lights/night.vert.
-constexpr float dusk = 0.06F;
-
-}  // namespace
 
 void NightLights::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Scene& scene = frame.scene;
-  const double water_level = has_water(scene) ? scene.water.level : 0.0;
-  const Key key = {scene.planet, scene.terrain, water_level, scene.lights.density, scene.lights.seed};
+  const Key key = {scene.planet,         scene.terrain,    water_level(scene), frame.needs.ground_level,
+                   scene.lights.density, scene.lights.seed};
   settled_ = key_ == key;
   if (settled_ || frame.effort == Effort::hurried) return;
   if (!program_.ready(frame.effort == Effort::complete)) return;
-  found_ = find_lights(scene);
+  found_ = find_lights(scene, key.ground_level);
   noise_evaluations_ = found_.noise_evaluations;
   squares_.forget();
   key_ = key;
@@ -33,7 +28,7 @@ void NightLights::draw(const Frame& frame) {
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < found_.lights.size(); ++i) {
     const glm::vec3& place = found_.lights[i].position;
-    if (glm::dot(place, sun) < dusk && glm::dot(place, eye - place) > 0.0F) chosen.push_back(i);
+    if (glm::dot(place, sun) < f32::lights_on && glm::dot(place, eye - place) > 0.0F) chosen.push_back(i);
   }
   program_->use();
   program_->set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));

@@ -23,7 +23,9 @@ class NightLights {
   struct Key {
     decltype(Scene::planet) planet;
     decltype(Scene::terrain) terrain;
-    double water_level, density;
+    double water_level;
+    int ground_level;
+    double density;
     int seed;
     bool operator==(const Key&) const = default;
   };

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere.hpp"
-#include "planet/needs.hpp"
+#include "planet/spiral.hpp"
 #include "planet/terrain.hpp"
 
 namespace terrella {
@@ -29,31 +28,24 @@ float noise(const glm::dvec3& direction, float frequency, unsigned seed) {
 double habitable(const Scene& scene, double height) {
   const double radius = scene.planet.radius, rock = scene.terrain.mountain_height / radius;
   if (height <= 0.0 || height >= rock) return 0.0;
-  const double inland = height / rock;
-  return 1.0 - inland;
+  return 1.0 - height / rock;
 }
 
 }  // namespace
 
-Lights find_lights(const Scene& scene) {
+Lights find_lights(const Scene& scene, int level) {
   Lights found;
   const auto seed = static_cast<unsigned>(scene.lights.seed) + seed_of_lights;
   const auto count = static_cast<int>(most_places * scene.lights.density);
-  const double water = has_water(scene) ? scene.water.level / scene.planet.radius : 0.0;
+  const double water = water_level(scene) / scene.planet.radius;
   const double snow = std::sin(glm::radians(scene.terrain.snow_latitude));
   const f32::Terrain terrain = terrain_of(scene);
-  const int level = ground_level(scene);
-  // A spiral of evenly spaced directions: no pole and no seam.
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count;
-    if (std::fabs(z) > snow) continue;
-    const double r = std::sqrt(1.0 - z * z);
+    const glm::dvec3 even = spiral_direction(i, count);
+    if (std::fabs(even.z) > snow) continue;
     // Moved at random by as much as they are apart, so that no spiral is seen.
-    const unsigned dice = f32::hash_cell(glm::ivec3(i, 0, 0), seed);
-    const glm::dvec3 jitter = glm::dvec3(dice & 1023U, (dice >> 10) & 1023U, (dice >> 20) & 1023U) / 1023.0 - 0.5;
-    const glm::dvec3 direction = glm::normalize(glm::dvec3(r * std::cos(golden * i), r * std::sin(golden * i), z) +
-                                                6.0 / std::sqrt(count + 1.0) * jitter);
+    const glm::dvec3 jitter = f64::hash_parts(f64::hash_cell(glm::ivec3(i, 0, 0), seed)) / 1023.0 - 0.5;
+    const glm::dvec3 direction = glm::normalize(even + 6.0 / std::sqrt(count + 1.0) * jitter);
     found.noise_evaluations += 2;
     const float crowd =
         1.4F * noise(direction, regions_per_radius, seed) + noise(direction, towns_per_radius, seed + 1);

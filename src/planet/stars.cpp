@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "formulas/formulas.hpp"
+#include "planet/spiral.hpp"
 
 namespace terrella {
 namespace {
@@ -36,14 +37,10 @@ StarSky find_stars(const Scene& scene) {
   const auto seed = static_cast<unsigned>(scene.stars.seed) + 977U;
   const float threshold = glm::mix(threshold_sparse, threshold_dense, static_cast<float>(scene.stars.density));
   const double step = 1.0 / (frequency * samples_per_cell);
-  // A spiral of evenly spaced directions: no pole and no seam.
   const auto count = static_cast<int>(4.0 * std::numbers::pi / (step * step));
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   std::vector<glm::vec3> found;
   for (int i = 0; i < count && scene.stars.density > 0.0; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count;
-    const double r = std::sqrt(1.0 - z * z);
-    glm::vec3 direction(r * std::cos(golden * i), r * std::sin(golden * i), z);
+    glm::vec3 direction(spiral_direction(i, count));
     f32::Noise n = noise_at(direction, seed);
     ++sky.noise_evaluations;
     if (n.value < 0.62F * threshold) continue;

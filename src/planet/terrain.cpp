@@ -52,4 +52,6 @@ bool has_ground(const Scene& scene) { return scene.terrain.model != 0; }
 
 bool has_water(const Scene& scene) { return scene.water.model != 0 && scene.water.level > 0.0; }
 
+double water_level(const Scene& scene) { return has_water(scene) ? scene.water.level : 0.0; }
+
 }  // namespace terrella

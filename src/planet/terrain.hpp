@@ -26,4 +26,7 @@ double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direct
 bool has_ground(const Scene& scene);
 bool has_water(const Scene& scene);
 
+// Height over the sphere from which heights over the water count, m; 0 without water.
+double water_level(const Scene& scene);
+
 }  // namespace terrella

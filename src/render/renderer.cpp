@@ -28,7 +28,7 @@ double planet_pixels(const View& view, const Pose& pose) {
 
 // Without water, heights count from the sphere.
 Scene scene_as_drawn(Scene scene) {
-  if (!has_water(scene)) scene.water.level = 0.0;
+  scene.water.level = water_level(scene);
   return scene;
 }
 

@@ -23,7 +23,7 @@ Scene lit() {
 
 TEST(Lights, StandOnLandOverItsMeshAndNeitherOnRockNorInSnow) {
   const Scene scene = lit();
-  const Lights found = find_lights(scene);
+  const Lights found = find_lights(scene, ground_level(scene));
   ASSERT_GT(found.lights.size(), 500U);
   const f32::Terrain terrain = terrain_of(scene);
   for (const Light& light : found.lights) {
@@ -40,20 +40,21 @@ TEST(Lights, StandOnLandOverItsMeshAndNeitherOnRockNorInSnow) {
 
 TEST(Lights, AreAsManyAsAskedForAndTheSameEachTime) {
   Scene scene = lit();
-  const Lights some = find_lights(scene), again = find_lights(scene);
+  const Lights some = find_lights(scene, ground_level(scene)), again = find_lights(scene, ground_level(scene));
   ASSERT_EQ(some.lights.size(), again.lights.size());
   EXPECT_EQ(some.lights.back().position, again.lights.back().position);
   scene.lights.density = 1.0;
-  EXPECT_NEAR(static_cast<double>(find_lights(scene).lights.size()) / static_cast<double>(some.lights.size()), 2.0,
-              0.2);
+  EXPECT_NEAR(static_cast<double>(find_lights(scene, ground_level(scene)).lights.size()) /
+                  static_cast<double>(some.lights.size()),
+              2.0, 0.2);
   scene.lights.density = 0.0;
-  EXPECT_TRUE(find_lights(scene).lights.empty());
+  EXPECT_TRUE(find_lights(scene, ground_level(scene)).lights.empty());
 }
 
 // Spread evenly, so many lights would leave no place on land a tenth of a radius from the next.
 TEST(Lights, LeaveWildCountryBetweenTheTowns) {
   const Scene scene = lit();
-  const Lights found = find_lights(scene);
+  const Lights found = find_lights(scene, ground_level(scene));
   const f32::Terrain terrain = terrain_of(scene);
   test::Places places(81U);
   int land = 0, wild = 0;

@@ -44,8 +44,8 @@ export interface Stats {
   gpu_bytes: number;
   /** Names of the GPU programs in use. */
   programs: string[];
-  /** Names of the textures in use. */
-  textures: string[];
+  /** How many textures are in use. */
+  textures: number;
   /** The technique in each slot. */
   slots: { ground: string; water: string; clouds: string; air: string; stars: string };
   /** What is modelled, how finely and why. */

@@ -179,7 +179,7 @@ export class Planet {
   }
 
   // The context may be gone before its event has told so.
-  #canDraw() { return !this.#lost && !this.#context.isContextLost(); }
+  #canDraw() { return !this.#lost && !this.#context?.isContextLost(); }
 
   #watchContext() {
     this.#canvas.addEventListener('webglcontextlost', event => {
@@ -280,7 +280,7 @@ export class Planet {
       link: () => this.#around.linkTo(this.#text('link')),
       stats: () => JSON.parse(this.#text('stats')),
       screenshot: size => this.#screenshot(size),
-      render: seconds => { if (!this.#context || this.#canDraw()) this.#call('render', ['number'], [seconds]); },
+      render: seconds => { if (this.#canDraw()) this.#call('render', ['number'], [seconds]); },
       on: (event, listener) => {
         const listeners = this.#listeners[event];
         if (!listeners) throw new Error(`There is no event "${event}"; there is change.`);
