@@ -18,9 +18,13 @@ vec3 tone_map(vec3 light, int curve) {
   return clamp(light, 0.0, 1.0);
 }
 
-// The sRGB curve (IEC 61966-2-1), 0..1 to 0..1.
+// The sRGB curve (IEC 61966-2-1), 0..1 to 0..1, within 4e-5: a hundredth of a step of 8 bits. Above its straight part it is
+// fitted in roots: with powers the pass that fits light to the screen takes a quarter longer on a processor.
 float srgb_encode(float x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
+  float root = sqrt(x);
+  float fourth = sqrt(root);
+  float curve = 1.11754 * root + 0.197817 * fourth - 0.329026 * root * fourth + 0.078471 * x - 0.064802;
+  return x <= 0.0031308 ? 12.92 * x : curve;
 }
 
 vec3 srgb(vec3 linear_light) {
