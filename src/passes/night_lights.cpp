@@ -13,7 +13,10 @@ void NightLights::update(const Frame& frame) {
   const Key key = {scene.planet,         scene.terrain,    water_level(scene), frame.needs.ground_level,
                    scene.lights.density, scene.lights.seed};
   settled_ = key_ == key;
-  if (settled_ || frame.effort == Effort::hurried) return;
+  const bool changing = wanted_ != key;
+  wanted_ = key;
+  // The search takes longer than a frame: it waits until the ground has stood still for one.
+  if (settled_ || frame.effort == Effort::hurried || (changing && frame.effort == Effort::live)) return;
   if (!program_.ready(frame.effort == Effort::complete)) return;
   found_ = find_lights(scene, key.ground_level);
   noise_evaluations_ = found_.noise_evaluations;

@@ -31,7 +31,7 @@ class NightLights {
   };
 
   gl::LateProgram program_{"lights/night"};
-  std::optional<Key> key_;  // of the lights found
+  std::optional<Key> key_, wanted_;  // of the lights found, and of the last frame
   bool settled_ = false;
   Lights found_;
   ChosenSquares squares_{1};
