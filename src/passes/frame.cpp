@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "scene/color.hpp"
@@ -75,7 +76,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
       vector(direction_of(scene.sun.latitude, scene.sun.longitude), std::exp2(scene.picture.exposure));
   const Color sun = scene.sun.color;
   const glm::dvec3 sun_color(linear_light(sun.r), linear_light(sun.g), linear_light(sun.b));
-  block.sun_light = vector(sun_color * scene.sun.intensity);
+  block.sun_light = vector(sun_color * (scene.sun.intensity * ring_shade_around(scene, pose.eye)));
   block.ground_map_scale = glm::vec4(maps.ground_texel, needs.pixel_octaves_first, needs.pixel_octaves_end,
                                      needs.water == Water::none ? 0.0 : 1.0);
   block.cloud_turn =

@@ -9,6 +9,7 @@
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
+#include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/sun.hpp"
 #include "planet/terrain.hpp"
@@ -190,6 +191,15 @@ void decide_sun(Needs& needs, const Scene& scene, const View& view, const Pose& 
                       : "sun.intensity, or both size and glare, are 0: there is nothing to see");
 }
 
+void decide_rings(Needs& needs, const Scene& scene, Decisions& decide) {
+  const bool asked = scene.rings.density > 0.0;
+  if (has_rings(scene)) needs.rings = Rings::plane;
+  decide.add("rings", name_of(needs.rings),
+             needs.rings != Rings::none ? "drawn in the plane of the equator, with their shadow"
+             : asked                    ? "rings.outer is not greater than rings.inner: there is nothing to see"
+                                        : "rings.density is 0: there is nothing to see");
+}
+
 void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
   const bool air = scene.air.model != model_none && scene.air.density > 0.0 && scene.air.height > 0.0;
   needs.air = air ? Air::fresnel : Air::none;
@@ -222,6 +232,7 @@ std::string_view name_of(Water technique) {
 std::string_view name_of(Clouds technique) { return technique == Clouds::none ? "none" : "shell"; }
 std::string_view name_of(Air technique) { return technique == Air::none ? "none" : "fresnel"; }
 std::string_view name_of(NightSide technique) { return technique == NightSide::none ? "none" : "lights"; }
+std::string_view name_of(Rings technique) { return technique == Rings::none ? "none" : "plane"; }
 std::string_view name_of(SunImage technique) { return technique == SunImage::none ? "none" : "disc"; }
 std::string_view name_of(Stars technique) { return technique == Stars::none ? "none" : "noise"; }
 
@@ -250,6 +261,7 @@ Needs needs_of(const Scene& scene, const View& view, const Pose& pose) {
   decide_clouds(needs, scene, pose, decide);
   decide_night(needs, scene, decide);
   decide_sun(needs, scene, view, pose, decide);
+  decide_rings(needs, scene, decide);
   decide_rest(needs, scene, decide);
   needs.moving = anything_moves(needs, scene);
   return needs;

@@ -16,6 +16,7 @@ enum class Air { none, fresnel };
 enum class Stars { none, noise };
 enum class NightSide { none, lights };
 enum class SunImage { none, disc };
+enum class Rings { none, plane };
 
 std::string_view name_of(Ground technique);
 std::string_view name_of(Water technique);
@@ -24,6 +25,7 @@ std::string_view name_of(Air technique);
 std::string_view name_of(Stars technique);
 std::string_view name_of(NightSide technique);
 std::string_view name_of(SunImage technique);
+std::string_view name_of(Rings technique);
 
 struct Decision {
   std::string what;    // "clouds.octaves"
@@ -39,6 +41,7 @@ struct Needs {
   Stars stars = Stars::none;
   NightSide night = NightSide::none;
   SunImage sun = SunImage::none;
+  Rings rings = Rings::none;
 
   int ground_level = 0;         // icosphere level of the finished ground
   double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "planet/needs.hpp"
+#include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
@@ -25,12 +26,13 @@ double top_radius(const Scene& scene) {
   return top;
 }
 
-void set_depth_range(Pose& pose, double top) {
+void set_depth_range(Pose& pose, double top, double rings) {
   const double distance = glm::length(pose.eye);
   const double to_horizon = std::sqrt(std::max(0.0, (distance - 1.0) * (distance + 1.0)));
   pose.far = 1.001 * (to_horizon + std::sqrt(std::max(0.0, (top - 1.0) * (top + 1.0)))) + 2.0 * pose.clearance;
+  if (rings > 0.0) pose.far = std::max(pose.far, 1.001 * (distance + rings));
   // Half of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
-  pose.near = std::max(0.3 * pose.clearance, 0.9 * (distance - top));
+  pose.near = std::max(0.3 * pose.clearance, 0.9 * (distance - std::max(top, rings)));
   pose.near = std::min(pose.near, 0.5 * pose.far);
 }
 
@@ -88,7 +90,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.up = glm::cross(pose.right, pose.forward);
   pose.tan_half_fov = std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
-  set_depth_range(pose, top_radius(scene));
+  set_depth_range(pose, top_radius(scene), rings_radius(scene));
   return pose;
 }
 
@@ -112,7 +114,7 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
 }
 
 double outermost_radius(const Scene& scene) {
-  return std::max(top_radius(scene), scene.air.model != 0 ? air_radius(scene) : 1.0);
+  return std::max({top_radius(scene), scene.air.model != 0 ? air_radius(scene) : 1.0, rings_radius(scene)});
 }
 
 double pixel_of_height(const Pose& pose) {

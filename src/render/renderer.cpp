@@ -87,12 +87,14 @@ void Renderer::choose_techniques() {
   stars_.choose(needs_.stars);
   night_.choose(needs_.night);
   sun_.choose(needs_.sun);
+  rings_.choose(needs_.rings, spheres_);
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
 }
 
 double Renderer::ready() {
-  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(), air_.ready(), clouds_.ready()};
+  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(),
+                        air_.ready(),     clouds_.ready(), rings_.ready()};
   return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
 }
 
@@ -120,8 +122,11 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
     if (stars_) stars_->draw(frame);
     if (sun_) sun_->draw_disc(frame);
     if (night_) night_->draw(frame);
+    if (rings_) rings_->draw_behind();
     if (air_) air_->draw(frame);
     if (clouds_) clouds_->draw(frame);
+    if (rings_) rings_->draw_shadow(frame);
+    if (rings_) rings_->draw_before();
     draw_overlays();
     if (sun_) sun_->draw_glare(frame);
     draw_flat();

@@ -13,6 +13,7 @@
 #include "passes/ground_icosphere.hpp"
 #include "passes/night_lights.hpp"
 #include "passes/picture.hpp"
+#include "passes/rings_plane.hpp"
 #include "passes/sea.hpp"
 #include "passes/stars_noise.hpp"
 #include "passes/sun_disc.hpp"
@@ -81,6 +82,7 @@ class Renderer {
   Slot<Stars, StarsNoise> stars_;
   Slot<NightSide, NightLights> night_;
   Slot<SunImage, SunDisc> sun_;
+  Slot<Rings, RingsPlane> rings_;
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;
   gl::CubeMap no_ground_;  // all sea

@@ -1,0 +1,22 @@
+// The rings of a scene. Lengths in planet radii.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "scene/scene.hpp"
+
+namespace terrella {
+
+// Whether the scene asks for rings that can be seen.
+bool has_rings(const Scene& scene);
+
+// At which they end; 0 without rings.
+double rings_radius(const Scene& scene);
+
+// Of the sphere on which their shadow is drawn: the highest of ground, sea and clouds.
+double ring_shadow_radius(const Scene& scene);
+
+// Part of the sunlight that they leave at the eye and all around it where it is within that sphere; 1 outside.
+double ring_shade_around(const Scene& scene, const glm::dvec3& eye);
+
+}  // namespace terrella
