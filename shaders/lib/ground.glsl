@@ -29,6 +29,8 @@ vec3 ground_color(float height, float steepness, float sine, float variation, Ba
   float bare = b.slope_rock * smoothstep(0.06, 0.30, steepness) * step(0.0, height);
   color = mix(color, b.mountain, bare);
   float cold = smoothstep(b.snow_sine - 0.10, b.snow_sine + 0.06, abs(sine) + 0.05 * variation);
+  // Where the sea freezes its bottom is dark: between floes narrower than the mesh it is seen without water over it.
+  color *= 1.0 - 0.8 * cold * (1.0 - dry);
   float snowline = mix(b.snow_height, -0.25 * b.snow_height, cold);
   float snow = band(snowline, max(b.snow_height, 1.0e-6), 0.6 * b.softness, x) * step(-1.0e-3 * scale, height);
   float clings = 1.0 - 0.8 * b.slope_rock * smoothstep(0.16, 0.5, steepness);

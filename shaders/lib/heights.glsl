@@ -1,5 +1,6 @@
 // The height of the ground: layers of noise, shaped (Sandahl 2022, equations 1 to 6).
 #include "lib/craters.glsl"
+#include "lib/ice.glsl"
 #include "lib/noise.glsl"
 
 struct Terrain {
@@ -13,6 +14,7 @@ struct Terrain {
   float sharpness;  // k of the smooth absolute value, 0..1000
   uint seed;
   Craters craters;  // dug into the sum of layers
+  Ice ice;          // lies over what is lower
 };
 
 // A height and how it changes over the unit sphere (radii per radian along each axis, not yet made tangential).
@@ -110,6 +112,14 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
   float steepened = total > 0.0 ? height_power_slope(h, t.height, t.power) / total : 0.0;
   ground.gradient = gradient * steepened;
   ground.openness = openness_of(relief * steepened);
+  if (ice_near(direction, t.ice)) {
+    float ice = ice_height(ice_cover(direction, t.ice, footprint), t.ice);
+    if (ice > ground.value) {
+      ground.value = ice;
+      ground.gradient = vec3(0.0);
+      ground.openness = 0.6;
+    }
+  }
   return ground;
 }
 

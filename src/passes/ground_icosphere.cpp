@@ -25,7 +25,8 @@ bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.low
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
 GroundIcosphere::Key GroundIcosphere::key_of(const Scene& scene, const Needs& needs) {
-  return {scene.planet, scene.terrain, water_level(scene), needs.ground_level, needs.ground_texels};
+  return {scene.planet,       scene.terrain,      water_level(scene), scene.water.ice_latitude,
+          needs.ground_level, needs.ground_texels};
 }
 
 void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {

@@ -49,7 +49,7 @@ class GroundIcosphere {
   struct Key {
     decltype(Scene::planet) planet;
     decltype(Scene::terrain) terrain;
-    double water_level;
+    double water_level, ice_latitude;
     int level, texels;
     bool operator==(const Key&) const = default;
   };

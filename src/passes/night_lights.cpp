@@ -10,8 +10,9 @@ namespace terrella {
 void NightLights::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Scene& scene = frame.scene;
-  const Key key = {scene.planet,         scene.terrain,    water_level(scene), frame.needs.ground_level,
-                   scene.lights.density, scene.lights.seed};
+  const Key key = {
+      scene.planet,         scene.terrain,    water_level(scene), scene.water.ice_latitude, frame.needs.ground_level,
+      scene.lights.density, scene.lights.seed};
   settled_ = key_ == key;
   const bool changing = wanted_ != key;
   wanted_ = key;

@@ -23,7 +23,7 @@ class NightLights {
   struct Key {
     decltype(Scene::planet) planet;
     decltype(Scene::terrain) terrain;
-    double water_level;
+    double water_level, ice_latitude;
     int ground_level;
     double density;
     int seed;

@@ -38,11 +38,11 @@ Lights find_lights(const Scene& scene, int level) {
   const auto seed = static_cast<unsigned>(scene.lights.seed) + seed_of_lights;
   const auto count = static_cast<int>(most_places * scene.lights.density);
   const double water = water_level(scene) / scene.planet.radius;
-  const double snow = std::sin(glm::radians(scene.terrain.snow_latitude));
+  const double cold = std::sin(glm::radians(std::min(scene.terrain.snow_latitude, scene.water.ice_latitude)));
   const f32::Terrain terrain = terrain_of(scene);
   for (int i = 0; i < count; ++i) {
     const glm::dvec3 even = spiral_direction(i, count);
-    if (std::fabs(even.z) > snow) continue;
+    if (std::fabs(even.z) > cold) continue;
     // Moved at random by as much as they are apart, so that no spiral is seen.
     const glm::dvec3 jitter = f64::hash_parts(f64::hash_cell(glm::ivec3(i, 0, 0), seed)) / 1023.0 - 0.5;
     const glm::dvec3 direction = glm::normalize(even + 6.0 / std::sqrt(count + 1.0) * jitter);

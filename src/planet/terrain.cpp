@@ -1,8 +1,10 @@
 #include "planet/terrain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "planet/icosphere.hpp"
 
@@ -24,12 +26,16 @@ f32::Terrain terrain_of(const Scene& scene) {
   terrain.craters.frequency = static_cast<float>(from.crater_frequency);
   terrain.craters.sizes = from.crater_sizes;
   terrain.craters.seed = static_cast<unsigned>(scene.planet.seed);
+  terrain.ice.sea = static_cast<float>(water_level(scene) / scene.planet.radius);
+  terrain.ice.sine = has_ice(scene) ? static_cast<float>(std::sin(glm::radians(scene.water.ice_latitude))) : 2.0F;
+  terrain.ice.seed = static_cast<unsigned>(scene.planet.seed);
   return terrain;
 }
 
 int noise_per_height(const Scene& scene) {
   const auto& terrain = scene.terrain;
-  return std::max(1, terrain.octaves + (terrain.craters > 0.0 ? 3 * terrain.crater_sizes : 0));
+  return std::max(1,
+                  terrain.octaves + (terrain.craters > 0.0 ? 3 * terrain.crater_sizes : 0) + (has_ice(scene) ? 1 : 0));
 }
 
 double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, double edge) {
@@ -49,6 +55,8 @@ double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direct
 }
 
 bool has_ground(const Scene& scene) { return scene.terrain.model != 0; }
+
+bool has_ice(const Scene& scene) { return has_water(scene) && scene.water.ice_latitude < 90.0; }
 
 bool has_water(const Scene& scene) { return scene.water.model != 0 && scene.water.level > 0.0; }
 

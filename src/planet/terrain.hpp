@@ -13,7 +13,8 @@ namespace terrella {
 // The parameters of the height function, in planet radii.
 f32::Terrain terrain_of(const Scene& scene);
 
-// Work of one height, in evaluations of noise, at least 1. A size of craters takes as long as three (measured).
+// Work of one height, in evaluations of noise, at least 1. A size of craters takes as long as three (measured); ice is
+// looked for only around the poles.
 int noise_per_height(const Scene& scene);
 
 // Radii of the ground at each direction (unit), as a mesh with the given length of edges (rad) can carry it.
@@ -25,6 +26,9 @@ double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direct
 // Terrain is drawn only where the scene asks for it.
 bool has_ground(const Scene& scene);
 bool has_water(const Scene& scene);
+
+// Ice around the poles needs a sea to float on.
+bool has_ice(const Scene& scene);
 
 // Height over the sphere from which heights over the water count, m; 0 without water.
 double water_level(const Scene& scene);

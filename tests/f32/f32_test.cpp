@@ -146,6 +146,7 @@ TEST(SinglePrecision, TerrainHeight) {
   t.craters.frequency = 2.0F;
   t.craters.sizes = 6;
   t.craters.seed = 3U;
+  t.ice = {0.0F, 2.0F, 3U};
   f64::Terrain d;
   d.height = exact(t.height);
   d.frequency = exact(t.frequency);
@@ -160,6 +161,7 @@ TEST(SinglePrecision, TerrainHeight) {
   d.craters.frequency = 2.0;
   d.craters.sizes = 6;
   d.craters.seed = 3U;
+  d.ice = {0.0, 2.0, 3U};
   double worst = 0.0, worst_gradient = 0.0;
   for (int i = 0; i < tries / 4; ++i) {
     const glm::vec3 direction(places.on_sphere());

@@ -25,6 +25,9 @@ f64::Terrain hills() {
   t.craters.frequency = 3.0;
   t.craters.sizes = 5;
   t.craters.seed = 3U;
+  t.ice.sea = 0.0;
+  t.ice.sine = 2.0;
+  t.ice.seed = 3U;
   return t;
 }
 
