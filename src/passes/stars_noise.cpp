@@ -16,7 +16,8 @@ struct Cone {
 
 // Around all that the picture shows.
 Cone cone_of_picture(const Frame& frame) {
-  const double half_angle = picture_half_angle(frame.pose, frame.view) + 0.01;  // stars are not points
+  const double half_angle =
+      picture_half_angle(frame.pose, frame.view) + 0.06;  // stars are not points, and glows are wide
   return {glm::vec3(frame.pose.forward), static_cast<float>(std::cos(half_angle))};
 }
 
@@ -31,7 +32,7 @@ Cone cone_of_planet(const Frame& frame) {
 
 void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ = 0;
-  const Key key = {frame.scene.stars.density, frame.scene.stars.seed};
+  const Key key = {frame.scene.stars.density, frame.scene.stars.band, frame.scene.stars.seed};
   if (key_ == key) return;
   // The search takes as long as a frame: the first pictures come without stars.
   if (!program_.ready(frame.effort == Effort::complete)) return;
@@ -39,6 +40,9 @@ void StarsNoise::update(const Frame& frame) {
   StarSky sky = find_stars(frame.scene);
   noise_evaluations_ = sky.noise_evaluations;
   stars_ = std::move(sky.stars);
+  StarSky band = find_milky_band(frame.scene);
+  noise_evaluations_ += band.noise_evaluations;
+  stars_.insert(stars_.end(), band.stars.begin(), band.stars.end());
   squares_.forget();
 }
 
@@ -57,7 +61,7 @@ void StarsNoise::draw(const Frame& frame) {
   program_->set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
   squares_.draw(choose(frame), [&](std::size_t i, std::vector<float>& data) {
     const glm::vec3 &d = stars_[i].direction, &c = stars_[i].color;
-    data.insert(data.end(), {d.x, d.y, d.z, stars_[i].brightness, c.r, c.g, c.b, 0.0F});
+    data.insert(data.end(), {d.x, d.y, d.z, stars_[i].brightness, c.r, c.g, c.b, stars_[i].radius});
   });
 }
 

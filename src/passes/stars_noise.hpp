@@ -7,7 +7,7 @@
 #include "gl/late_program.hpp"
 #include "passes/chosen_squares.hpp"
 #include "passes/frame.hpp"
-#include "planet/stars.hpp"
+#include "planet/milky_band.hpp"
 
 namespace terrella {
 
@@ -24,7 +24,7 @@ class StarsNoise {
   [[nodiscard]] std::vector<std::size_t> choose(const Frame& frame) const;
 
   struct Key {
-    double density;
+    double density, band;
     int seed;
     bool operator==(const Key&) const = default;
   };

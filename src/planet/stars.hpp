@@ -12,8 +12,9 @@ namespace terrella {
 
 struct Star {
   glm::vec3 direction;  // unit
-  float brightness;     // 0..1, by smoothstep of the peak's height
+  float brightness;     // of its middle; of the brightest star: 1
   glm::vec3 color;      // linear, of about the same luminance for all
+  float radius = 0.0F;  // of a glow, rad; 0: a point
 };
 
 struct StarSky {
