@@ -23,6 +23,7 @@ struct RenderOptions {
   std::string out;
   std::string channel = "color";
   int samples = 1;
+  bool transparent = false;
   int frames = 0;
   bool why = false;
   std::string stats;
@@ -76,6 +77,7 @@ Task understand(const RenderOptions& options, Issues& issues) {
   read_channel(options.channel, task, issues);
   task.still.seconds = options.time;
   task.still.samples = options.samples;
+  task.still.transparent = options.transparent;
   if (!std::isfinite(options.time) || std::abs(options.time) > 1e12) {
     issues.add("--time", "must be a number of seconds, -1e12 to 1e12.");
   }
@@ -90,6 +92,7 @@ Task understand(const RenderOptions& options, Issues& issues) {
   } else if (!task.pfm && task.channel != Channel::color) {
     issues.add("--out", text_of("the channel ", options.channel, " is not a picture; give a file that ends in .pfm."));
   }
+  if (task.pfm && options.transparent) issues.add("--transparent", "is for pictures; give a file that ends in .png.");
   return task;
 }
 
@@ -175,6 +178,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
       ->required();
   command->add_option("--channel", options->channel, "color, distance, normal or height (color)");
   command->add_option("--samples", options->samples, "N for N x N samples a pixel (1)");
+  command->add_flag("--transparent", options->transparent, "The planet alone, with opacity, for laying over anything");
   command->add_option("--frames", options->frames, "Draw N frames more after warming up, to time them (0)");
   command->add_flag("--why", options->why, "Print what is modelled, how finely and for what reason");
   command->add_option("--stats", options->stats, "Write times, work and decisions as JSON");

@@ -126,10 +126,10 @@ EMSCRIPTEN_KEEPALIVE void terrella_show_panel(int shown) { session->show_panel(s
 EMSCRIPTEN_KEEPALIVE const char* terrella_stats() { return returned(session->stats()); }
 EMSCRIPTEN_KEEPALIVE void terrella_render(double seconds) { session->render_at(seconds, 0); }
 
-// Four bytes a pixel, top row first, alive until the next picture.
-EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height) {
+// Four bytes a pixel, top row first, alive until the next picture. transparent: 1 for the planet alone, 0 with its sky.
+EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height, int transparent) {
   static std::vector<unsigned char> pixels;
-  const terrella::Image image = session->picture(width, height);
+  const terrella::Image image = session->picture(width, height, transparent != 0);
   pixels.assign(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -137,7 +137,7 @@ EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height
       unsigned char* to =
           pixels.data() + std::size_t{4} * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                             static_cast<std::size_t>(x));
-      for (int c = 0; c < 3; ++c) to[c] = static_cast<unsigned char>(from[c] * 255.0F + 0.5F);
+      for (int c = 0; c < image.channels; ++c) to[c] = static_cast<unsigned char>(from[c] * 255.0F + 0.5F);
     }
   }
   return pixels.data();

@@ -466,12 +466,13 @@ void Session::render_at(double seconds, GLuint framebuffer) {
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
 }
 
-Image Session::picture(int width, int height) {
+Image Session::picture(int width, int height, bool transparent) {
   planet_stale_ = true;  // the renderer's picture will have another size
   StillOptions options;
   options.width = width;
   options.height = height;
   options.seconds = seconds_;
+  options.transparent = transparent;
   return take_picture(*renderer_, document_.scene, options);
 }
 

@@ -84,7 +84,7 @@ class Session {
   // Draws the planet as it is at a time, complete, and waits until it is there. Leaves the clock at that time.
   void render_at(double seconds, GLuint framebuffer);
   // A picture of the planet alone, of any size that the machine can draw.
-  Image picture(int width, int height);
+  Image picture(int width, int height, bool transparent = false);
   // As JSON.
   [[nodiscard]] std::string stats() const;
 

@@ -16,9 +16,9 @@ View view_of(const StillOptions& options) {
   return view;
 }
 
-// The mean of the light of all samples, 3 channels, top row first.
-Image mean_light(Renderer& renderer, const Scene& scene, const StillOptions& options) {
-  Image mean(options.width, options.height, 3);
+// The mean of the light of all samples, top row first. channels: 3, or 4 with the part of the sky that is covered.
+Image mean_light(Renderer& renderer, const Scene& scene, const StillOptions& options, int channels) {
+  Image mean(options.width, options.height, channels);
   View view = view_of(options);
   const int n = options.samples;
   const float share = 1.0F / static_cast<float>(n * n);
@@ -30,7 +30,7 @@ Image mean_light(Renderer& renderer, const Scene& scene, const StillOptions& opt
       const float* from = light.data() + std::size_t{4} * static_cast<std::size_t>(options.height - 1 - y) *
                                              static_cast<std::size_t>(options.width);
       for (int x = 0; x < options.width; ++x) {
-        for (int c = 0; c < 3; ++c) mean.at(x, y)[c] += share * from[4 * x + c];
+        for (int c = 0; c < channels; ++c) mean.at(x, y)[c] += share * from[4 * x + c];
       }
     }
   }
@@ -38,22 +38,34 @@ Image mean_light(Renderer& renderer, const Scene& scene, const StillOptions& opt
 }
 
 Image developed(const Image& light, int tone) {
-  Image picture(light.width, light.height, 3);
+  Image picture(light.width, light.height, light.channels);
   for (int y = 0; y < light.height; ++y) {
     for (int x = 0; x < light.width; ++x) {
       const float* from = light.at(x, y);
       const float noise = f32::dither(glm::vec2(x, y)) / 255.0F;
-      const glm::vec3 shown = f32::srgb(f32::tone_map(glm::vec3(from[0], from[1], from[2]), tone)) + noise;
+      const bool opaque = light.channels == 3;
+      const float opacity = opaque ? 1.0F : std::clamp(from[3], 0.0F, 1.0F);
+      const glm::vec3 full = glm::vec3(from[0], from[1], from[2]) / std::max(opacity, 1e-3F);
+      const glm::vec3 shown = f32::srgb(f32::tone_map(full, tone)) + noise;
       for (int c = 0; c < 3; ++c) picture.at(x, y)[c] = std::clamp(shown[c], 0.0F, 1.0F);
+      if (!opaque) picture.at(x, y)[3] = opacity;
     }
   }
   return picture;
 }
 
+// The planet alone. Its edges are as smooth as there are samples.
+Image cut_out(Renderer& renderer, Scene scene, StillOptions options) {
+  scene.stars.density = scene.sun.size = scene.sun.glare = 0.0;
+  options.samples = std::max(2, options.samples);
+  return developed(mean_light(renderer, scene, options, 4), scene.picture.tone);
+}
+
 }  // namespace
 
 Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& options) {
-  if (options.samples > 1) return developed(mean_light(renderer, scene, options), scene.picture.tone);
+  if (options.transparent) return cut_out(renderer, scene, options);
+  if (options.samples > 1) return developed(mean_light(renderer, scene, options, 3), scene.picture.tone);
   View view = view_of(options);
   view.width = std::max(1, static_cast<int>(options.width * scene.quality.resolution_scale + 0.5));
   view.height = std::max(1, static_cast<int>(options.height * scene.quality.resolution_scale + 0.5));
@@ -74,7 +86,7 @@ Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& o
 }
 
 Image take_measurement(Renderer& renderer, const Scene& scene, const StillOptions& options, Channel channel) {
-  if (channel == Channel::color) return mean_light(renderer, scene, options);
+  if (channel == Channel::color) return mean_light(renderer, scene, options, 3);
   renderer.draw(scene, view_of(options), {channel, Effort::complete, true});
   const std::vector<float> values = renderer.read_light();
   const int channels = channel == Channel::normal ? 3 : 1;

@@ -9,10 +9,12 @@ namespace terrella {
 struct StillOptions {
   int width = 1280, height = 720;  // pixels, 1 to caps().max_texture
   double seconds = 0.0;
-  int samples = 1;  // along each side of a pixel, >= 1
+  int samples = 1;           // along each side of a pixel, >= 1
+  bool transparent = false;  // pictures without stars and sun, with opacity
 };
 
-// An sRGB picture, 3 channels, 0..1.
+// An sRGB picture, 3 channels, 0..1; where it is transparent, of two samples or more along a pixel's side, with its
+// opacity as the fourth. Colours are as they are where the picture is opaque, so that it can be laid over anything.
 Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& options);
 
 // For Channel::color: linear light after exposure, before tone mapping, 3 channels. distance: from the eye, m, +Inf for

@@ -298,6 +298,32 @@ TEST(Pictures, WithManySamplesAgreeWithOneSample) {
   EXPECT_GT(largest_difference(one, nine), 0.0);
 }
 
+TEST(Pictures, CanShowThePlanetAloneWithItsOpacity) {
+  Studio studio;
+  const Scene scene = find_preset("temperate")->scene;
+  StillOptions alone = small(), fine = small();
+  alone.transparent = true;
+  fine.samples = 2;
+  const Image cut = take_picture(studio.renderer, scene, alone), whole = take_picture(studio.renderer, scene, fine);
+  ASSERT_EQ(cut.channels, 4);
+  EXPECT_EQ(cut.at(0, 0)[3], 0.0F);
+  EXPECT_EQ(cut.at(80, 45)[3], 1.0F);
+  int partly = 0;
+  double furthest = 0.0;
+  for (int y = 0; y < cut.height; ++y) {
+    for (int x = 0; x < cut.width; ++x) {
+      const float opacity = cut.at(x, y)[3];
+      if (opacity > 0.0F && opacity < 1.0F) ++partly;
+      if (opacity < 1.0F) continue;
+      for (int c = 0; c < 3; ++c) {
+        furthest = std::fmax(furthest, std::abs(double{cut.at(x, y)[c]} - double{whole.at(x, y)[c]}));
+      }
+    }
+  }
+  EXPECT_GT(partly, 100);  // air and edges
+  EXPECT_LT(furthest, 1e-6);
+}
+
 TEST(Distance, IsThatOfTheSphereWhereTheGroundIsFlat) {
   Studio studio;
   Scene scene;

@@ -180,6 +180,13 @@ describe('the page', () => {
     assert.deepEqual([outcome.type, outcome.size], ['image/png', [200, 120]]);
     assert.ok(outcome.again <= 1, `${outcome.again}`);  // measured on SwiftShader: two values off by one
     assert.ok(outcome.later > 20, `${outcome.later}`);
+    const opacity = await page.evaluate(async () => {
+      const picture = await createImageBitmap(await terrella.screenshot({ width: 200, height: 120, transparent: true }));
+      const sheet = new OffscreenCanvas(200, 120).getContext('2d');
+      sheet.drawImage(picture, 0, 0);
+      return [[0, 0], [100, 60]].map(([x, y]) => sheet.getImageData(x, y, 1, 1).data[3]);
+    });
+    assert.deepEqual(opacity, [0, 255]);  // sky, planet
     const refused = await page.evaluate(() => terrella.screenshot({ width: 0, height: 10 }).then(() => '', e => e.message));
     assert.match(refused, /whole numbers/);
     await page.context().close();

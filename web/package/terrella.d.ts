@@ -56,11 +56,13 @@ export interface Stats {
   issues: string[];
 }
 
-export interface PictureSize {
+export interface PictureOptions {
   /** In pixels; the canvas's width where it is left out. */
   width?: number;
   /** In pixels; the canvas's height where it is left out. */
   height?: number;
+  /** Whether to draw the planet alone, with opacity: no stars, no sun. */
+  transparent?: boolean;
 }
 
 export interface Planet {
@@ -84,7 +86,7 @@ export interface Planet {
   stats(): Stats;
 
   /** A PNG of the planet alone, of any size that the machine can draw. Breaks with a sentence where it cannot. */
-  screenshot(size?: PictureSize): Promise<Blob>;
+  screenshot(options?: PictureOptions): Promise<Blob>;
   /** Draws one frame as it is so many seconds after the scene began, and returns when the GPU has finished it. */
   render(seconds: number): void;
 
@@ -102,7 +104,7 @@ export class TerrellaPlanet extends HTMLElement implements Planet {
   load(scene: SceneJson | string): string[];
   link(): string;
   stats(): Stats;
-  screenshot(size?: PictureSize): Promise<Blob>;
+  screenshot(options?: PictureOptions): Promise<Blob>;
   render(seconds: number): void;
   on(event: 'change', listener: () => void): () => void;
 }

@@ -242,7 +242,7 @@ export class Planet {
     };
   }
 
-  async #screenshot({ width = this.#canvas.width, height = this.#canvas.height } = {}) {
+  async #screenshot({ width = this.#canvas.width, height = this.#canvas.height, transparent = false } = {}) {
     const most = this.#call('largest_picture', [], [], 'number');
     if (!this.#canDraw() || this.#asleep) throw new Error('The planet has no graphics context at the moment, so that it cannot draw.');
     for (const side of [width, height]) {
@@ -250,7 +250,7 @@ export class Planet {
         throw new Error(`A screenshot's width and height are whole numbers, 1 to ${most}; ${side} is not.`);
       }
     }
-    const at = this.#program._terrella_picture(width, height);
+    const at = this.#program._terrella_picture(width, height, transparent ? 1 : 0);
     const bytes = new Uint8ClampedArray(this.#program.HEAPU8.buffer, at, 4 * width * height).slice();
     const sheet = new OffscreenCanvas(width, height);
     sheet.getContext('2d').putImageData(new ImageData(bytes, width, height), 0, 0);
