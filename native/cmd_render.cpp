@@ -103,7 +103,9 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 // Frames as a window would draw them, each timed until its picture is there.
 std::vector<double> time_frames(Renderer& renderer, const Task& task, int count) {
   std::vector<double> times;
-  View view{task.still.width, task.still.height, task.still.seconds, {}};
+  View view;
+  view.width = task.still.width;
+  view.height = task.still.height;
   for (int i = 0; i < count; ++i) {
     const auto start = std::chrono::steady_clock::now();
     view.seconds = task.still.seconds + i / 60.0;
@@ -135,8 +137,8 @@ std::string render(const RenderOptions& options, const Task& task) {
   const auto start = std::chrono::steady_clock::now();
   const auto context = EglContext::make(options.gl == "es" ? Api::es : Api::core);
   if (!context) return context.sentence();
-  if (std::max(task.still.width, task.still.height) > gl::caps().max_texture) {
-    return text_of("This machine draws pictures of at most ", gl::caps().max_texture, " pixels along a side.");
+  if (task.pfm && std::max(task.still.width, task.still.height) > gl::caps().max_texture) {
+    return text_of("This machine measures pictures of at most ", gl::caps().max_texture, " pixels along a side.");
   }
   Renderer renderer;
   const Image image = task.pfm ? take_measurement(renderer, task.scene, task.still, task.channel)

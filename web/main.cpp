@@ -142,7 +142,8 @@ EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height
   }
   return pixels.data();
 }
-EMSCRIPTEN_KEEPALIVE int terrella_largest_picture() { return terrella::gl::caps().max_texture; }
+// Pixels along a side; the memory of a page holds no more.
+EMSCRIPTEN_KEEPALIVE int terrella_largest_picture() { return 8192; }
 }
 
 int main() {

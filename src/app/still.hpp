@@ -7,9 +7,10 @@
 namespace terrella {
 
 struct StillOptions {
-  int width = 1280, height = 720;  // pixels, 1 to caps().max_texture
+  int width = 1280, height = 720;  // pixels, >= 1; of measurements, at most caps().max_texture
   double seconds = 0.0;
   int samples = 1;           // along each side of a pixel, >= 1
+  int largest_tile = 2048;   // pixels along a side; larger pictures are drawn in several parts
   bool transparent = false;  // pictures without stars and sun, with opacity
 };
 

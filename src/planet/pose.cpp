@@ -88,7 +88,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.forward = std::cos(pitch) * ahead + std::sin(pitch) * down_from;
   pose.right = std::cos(heading) * east - std::sin(heading) * north;
   pose.up = glm::cross(pose.right, pose.forward);
-  pose.tan_half_fov = std::tan(0.5 * glm::radians(camera.fov));
+  pose.tan_half_fov = view.part * std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
   set_depth_range(pose, top_radius(scene), rings_radius(scene));
   return pose;
@@ -101,16 +101,21 @@ glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pix
 }
 
 double picture_half_angle(const Pose& pose, const View& view) {
-  return std::atan(pose.tan_half_fov * std::hypot(1.0, static_cast<double>(view.width) / view.height));
+  // To the corner that a shift has moved furthest from the middle.
+  const double x = view.width + 2.0 * std::abs(view.shift.x), y = view.height + 2.0 * std::abs(view.shift.y);
+  return std::atan(pose.tan_half_fov * std::hypot(x, y) / view.height);
 }
 
 PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
   const double ahead = -glm::dot(pose.eye, pose.forward);
   const auto [left, right] = extent(-glm::dot(pose.eye, pose.right), ahead, radius);
   const auto [bottom, top] = extent(-glm::dot(pose.eye, pose.up), ahead, radius);
-  const auto part = [](double tangent, double edge) { return std::clamp(0.5 + 0.5 * tangent / edge, 0.0, 1.0); };
+  const auto part = [](double tangent, double edge, double shift) {
+    return std::clamp(0.5 + 0.5 * tangent / edge + shift, 0.0, 1.0);
+  };
   const double edge_y = pose.tan_half_fov, edge_x = edge_y * view.width / view.height;
-  return {part(left, edge_x), part(bottom, edge_y), part(right, edge_x), part(top, edge_y)};
+  const double x = view.shift.x / view.width, y = -view.shift.y / view.height;
+  return {part(left, edge_x, x), part(bottom, edge_y, y), part(right, edge_x, x), part(top, edge_y, y)};
 }
 
 double outermost_radius(const Scene& scene) {

@@ -15,13 +15,14 @@ struct View {
   int width = 1280;       // pixels, >= 1
   int height = 720;       // pixels, >= 1
   double seconds = 0.0;   // since the scene began
-  glm::dvec2 shift{0.0};  // of the whole picture, in pixels: for several samples a pixel
+  glm::dvec2 shift{0.0};  // of all that is seen, in pixels, to the right and down: for several samples a pixel, for tiles
+  double part = 1.0;      // of the camera's field of view that the height covers: less for tiles of a larger picture
 };
 
 struct Pose {
   glm::dvec3 eye;
   glm::dvec3 forward, right, up;  // unit
-  double tan_half_fov;            // of the vertical field of view
+  double tan_half_fov;            // of the picture's vertical field of view
   double pixel_angle;             // rad, in the middle of the picture
   double clearance;               // height of the eye over the highest of ground and sea below it
   double near, far;               // distances between which everything lies
