@@ -13,13 +13,16 @@ struct Ripples {
   float wash;   // -1..1: where foam runs further up
 };
 
-// The steepness of a layer of ripples, as a part of the steepness of all.
-float ripple_strength(int layer) { return layer == 0 ? 0.11 : 0.077; }
+// The steepness of the first layer of ripples, as a part of the steepness of all, and of each other one as a part of that
+// of the layer before it. As many layers as told_ripples are told in the roughness where they are too small to be seen.
+const float first_ripple = 0.11;
+const float next_ripple = 0.7;
+const int told_ripples = 2;
 
-// The roughness (fourth power) that stands for a layer of which a part is not shown. shown: 0..1.
-float unseen_roughness(int layer, float shown) {
-  float strength = ripple_strength(layer) * water_ripples;
-  return 3.0 * (1.0 - shown * shown) * strength * strength;
+// The roughness (fourth power) that stands for a layer of which a part is not shown. strength: as a part of all; shown: 0..1.
+float unseen_roughness(float strength, float shown) {
+  float steepness = strength * water_ripples;
+  return 3.0 * (1.0 - shown * shown) * steepness * steepness;
 }
 
 void emit_calm_water(Ripples r, vec3 up) {

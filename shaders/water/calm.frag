@@ -5,7 +5,7 @@ void main() {
   vec3 up = water_direction();
   Ripples r;
   r.gradient = vec3(0.0);
-  r.rough = unseen_roughness(0, 0.0) + unseen_roughness(1, 0.0);
+  r.rough = unseen_roughness(first_ripple, 0.0) + unseen_roughness(next_ripple * first_ripple, 0.0);
   r.wash = 0.0;
   emit_calm_water(r, up);
 }

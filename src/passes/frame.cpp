@@ -84,10 +84,10 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.cloud_moments = vector(maps.cloud_moments);
   block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest,
                         static_cast<double>(sea.waves.size()), shoal_of(frame));
-  block.ripple = glm::vec4(needs.ripples ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
+  block.ripple = glm::vec4(needs.ripple_layers > 0 ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
                            needs.air == Air::none ? 0.0 : 1.0, 0.0);
   const double turn = turned(scene.water.ripple_speed, view.seconds);
-  block.ripple_turns = glm::vec4(std::cos(turn), std::sin(turn), std::cos(2.0 * turn), std::sin(2.0 * turn));
+  block.ripple_turn = glm::vec4(std::cos(turn), std::sin(turn), needs.ripple_layers, 0.0);
   const Color tint = scene.water.tint;
   const glm::dvec3 tint_light(linear_light(tint.r), linear_light(tint.g), linear_light(tint.b));
   block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));

@@ -32,7 +32,7 @@ struct FrameBlock {
   glm::vec4 cloud_turn;
   glm::vec4 cloud_moments;
   glm::vec4 sea;
-  glm::vec4 ripple, ripple_turns;
+  glm::vec4 ripple, ripple_turn;
   glm::vec4 water_extinction;
   glm::vec4 levels;
   glm::ivec4 channel;

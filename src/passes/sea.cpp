@@ -30,7 +30,7 @@ SeaPass::SeaPass(Water technique, SphereMeshes& spheres)
     : spheres_(spheres), program_(technique == Water::calm ? "water/calm" : "water/waves") {}
 
 void SeaPass::want(const Needs& needs) {
-  program_.want(needs.water == Water::waves ? "water/waves" : needs.ripples ? "water/rippled" : "water/calm");
+  program_.want(needs.water == Water::waves ? "water/waves" : needs.ripple_layers > 0 ? "water/rippled" : "water/calm");
 }
 
 void SeaPass::draw(const Frame& frame, std::span<const RadiusRange> ground) {

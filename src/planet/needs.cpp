@@ -85,6 +85,15 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
                          : "the map of the ground is as fine as the pixels");
 }
 
+// From afar two layers; from close by, where each shows few ripples, finer ones between them.
+int ripple_layers(double frequency, const Pose& pose) {
+  constexpr int least = 2, most = 8;
+  int layers = least;
+  for (double f = frequency * 2.3 * 2.3; layers < most && 1.0 / f > 4.0 * pose.pixel_angle * pose.clearance; f *= 2.3)
+    ++layers;
+  return layers;
+}
+
 void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pose, Decisions& decide) {
   const auto& water = scene.water;
   if (!has_water(scene)) {
@@ -119,10 +128,10 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
 
   const double cell = 1.0 / water.ripple_frequency;
   const bool seen = cell > 2.0 * pose.pixel_angle * pose.clearance;
-  needs.ripples = water.ripples > 0.0 && seen;
-  decide.add("water.ripples", needs.ripples ? "yes" : "no",
+  if (water.ripples > 0.0 && seen) needs.ripple_layers = ripple_layers(water.ripple_frequency, pose);
+  decide.add("water.ripples", needs.ripple_layers,
              water.ripples <= 0.0 ? "water.ripples is 0"
-             : seen               ? "a ripple is larger than two pixels"
+             : seen               ? "two layers, and finer ones where their ripples are larger than four pixels"
                                   : "a ripple is under two pixels: it only widens the glitter");
 }
 
@@ -219,7 +228,7 @@ bool anything_moves(const Needs& needs, const Scene& scene) {
   if (scene.time.speed == 0.0) return false;
   const bool clouds = needs.clouds != Clouds::none && (scene.clouds.drift != 0.0 || needs.cloud_interval > 0.0);
   const bool waves = needs.water == Water::waves && scene.waves.speed > 0.0;
-  const bool ripples = needs.ripples && scene.water.ripple_speed > 0.0;
+  const bool ripples = needs.ripple_layers > 0 && scene.water.ripple_speed > 0.0;
   return clouds || waves || ripples;
 }
 

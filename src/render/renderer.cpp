@@ -154,7 +154,7 @@ void Renderer::update_slots(const Frame& frame) {
   }
   if (sun_) sun_->update(frame);
   const int per_pixel =
-      needs_.pixel_octaves_end - needs_.pixel_octaves_first + (needs_.water == Water::calm && needs_.ripples ? 2 : 0);
+      needs_.pixel_octaves_end - needs_.pixel_octaves_first + (needs_.water == Water::calm ? needs_.ripple_layers : 0);
   noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
 }
 

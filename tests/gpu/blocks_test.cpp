@@ -60,7 +60,7 @@ TEST_P(Blocks, FrameBlock) {
                                                          {"sea", offsetof(FrameBlock, sea)},
                                                          {"ripple", offsetof(FrameBlock, ripple)},
                                                          {"levels", offsetof(FrameBlock, levels)},
-                                                         {"ripple_turns", offsetof(FrameBlock, ripple_turns)},
+                                                         {"ripple_turn", offsetof(FrameBlock, ripple_turn)},
                                                          {"channel", offsetof(FrameBlock, channel)}};
   for (const auto& [name, offset] : members) {
     EXPECT_EQ(offset_of(program, name), static_cast<GLint>(offset)) << name;
