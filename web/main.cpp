@@ -69,8 +69,8 @@ EMSCRIPTEN_KEEPALIVE int terrella_start() {
 
 EMSCRIPTEN_KEEPALIVE void terrella_context_lost() { session->context_lost(); }
 
-EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale) {
-  session->resize(width, height, scale);
+EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale, int fingers) {
+  session->resize(width, height, scale, fingers != 0);
 }
 
 // Returns the share of shaders that are ready, below 1, until there is a picture; then 1, plus 1 if a picture was
@@ -81,6 +81,7 @@ EMSCRIPTEN_KEEPALIVE double terrella_frame(double seconds) {
   return 1.0 + (turn.drawn ? 1.0 : 0.0) + (turn.again ? 2.0 : 0.0) + (turn.whole ? 4.0 : 0.0);
 }
 
+EMSCRIPTEN_KEEPALIVE void terrella_pointer_is_finger(int finger) { session->pointer_is_finger(finger != 0); }
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_moved(double x, double y) { session->pointer_moved(x, y); }
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_button(int button, int down) {
   session->pointer_button(static_cast<terrella::Button>(button), down != 0);

@@ -37,6 +37,10 @@ ImGuiKey imgui_key(Key key) {
 
 void move(double x, double y) { ImGui::GetIO().AddMousePosEvent(static_cast<float>(x), static_cast<float>(y)); }
 
+void pointer_is_finger(bool finger) {
+  ImGui::GetIO().AddMouseSourceEvent(finger ? ImGuiMouseSource_TouchScreen : ImGuiMouseSource_Mouse);
+}
+
 void leave() { ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX); }
 
 void button(int button, bool down) { ImGui::GetIO().AddMouseButtonEvent(button, down); }

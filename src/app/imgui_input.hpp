@@ -6,6 +6,8 @@
 namespace terrella::imgui_input {
 
 void move(double x, double y);
+// What the movements and presses to come are made by.
+void pointer_is_finger(bool finger);
 void leave();
 void button(int button, bool down);
 void wheel(double notches);

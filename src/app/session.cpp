@@ -60,11 +60,14 @@ void Session::context_lost() {
   renderer_.reset();
 }
 
-void Session::resize(int width, int height, double scale) {
-  if (scale != scale_) {
-    style_panel(static_cast<float>(scale));
+void Session::resize(int width, int height, double scale, bool fingers) {
+  const bool below = panel_lies_below(width, height, fingers), large_rows = fingers || below;
+  if (scale != scale_ || large_rows != large_rows_) {
+    style_panel(static_cast<float>(scale), large_rows);
     if (painter_) ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the font has another size; made anew when next drawn
   }
+  panel_.put_below(below);
+  large_rows_ = large_rows;
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   scale_ = scale;
@@ -82,6 +85,8 @@ View Session::view() const {
   view.width = std::clamp(static_cast<int>(width_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.seconds = seconds_;
+  // Into the middle of what a sheet leaves free.
+  if (panel_shown_) view.shift.y = -0.5 * double{panel_.covered_below()} * view.height / (height_ * scale_);
   return view;
 }
 
@@ -125,6 +130,8 @@ void Session::pointer_button(Button button, bool down) {
   drag_ = look ? Drag::look : Drag::turn;
   last_drag_time_ = now_;
 }
+
+void Session::pointer_is_finger(bool finger) { imgui_input::pointer_is_finger(finger); }
 
 void Session::pointer_left() {
   imgui_input::leave();
@@ -327,7 +334,9 @@ void Session::run_panel() {
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
+  const float covered = panel_.covered_below();
   const PanelWishes wishes = panel_.draw(document_, facts());
+  if (panel_.covered_below() != covered) planet_stale_ = true;
   ImGui::Render();
   obey(wishes);
 }
@@ -442,6 +451,7 @@ void Session::set_seconds(double seconds) {
 void Session::show_panel(bool shown) {
   panel_shown_ = shown;
   if (!shown) hand_on_value_ = false;
+  if (panel_.covered_below() > 0.0F) planet_stale_ = true;
   panel_frames_ = 3;
 }
 

@@ -43,8 +43,11 @@ class Session {
   // Everything on the GPU is gone. The scene is not.
   void context_lost();
 
-  // points: size of the window or canvas; scale: pixels per point.
-  void resize(int width, int height, double scale);
+  // points: size of the window or canvas; scale: pixels per point; fingers: they are what points here, not a mouse.
+  void resize(int width, int height, double scale, bool fingers = false);
+
+  // What the next movements and presses are made by.
+  void pointer_is_finger(bool finger);
 
   void pointer_moved(double x, double y);
   void pointer_button(Button button, bool down);
@@ -126,6 +129,7 @@ class Session {
 
   int width_ = 1280, height_ = 720;  // points
   double scale_ = 1.0;
+  bool large_rows_ = false;  // for fingers
   double seconds_ = 0.0;
   bool paused_ = false;
   bool panel_shown_ = true;

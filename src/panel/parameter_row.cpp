@@ -107,7 +107,7 @@ void choice_list(Sheet& sheet, const Parameter& parameter) {
   if (!open) return;
   for (const std::string_view choice : parameter.choices) {
     const std::string name(choice);
-    if (ImGui::Selectable(name.c_str(), name == chosen)) sheet.set(parameter, name);
+    if (choice_row(name, name == chosen)) sheet.set(parameter, name);
     sheet.place(parameter.path, "/" + name);
   }
   ImGui::EndCombo();

@@ -70,6 +70,12 @@ bool reset_button(const char* id) {
   return pressed;
 }
 
+bool choice_row(const std::string& text, bool chosen) {
+  // A Selectable adds the space between rows to its height.
+  const float height = ImGui::GetFrameHeight() - ImGui::GetStyle().ItemSpacing.y;
+  return ImGui::Selectable(text.c_str(), chosen, ImGuiSelectableFlags_None, {0.0F, height});
+}
+
 void quiet_text(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   ImGui::TextWrapped("%s", text.c_str());

@@ -19,6 +19,9 @@ bool reset_button(const char* id);
 // How wide that is.
 float reset_button_width();
 
+// An entry of an open list, as high as a row of the panel.
+bool choice_row(const std::string& text, bool chosen);
+
 // A line of text in the colour of what matters less, wrapped.
 void quiet_text(const std::string& text);
 

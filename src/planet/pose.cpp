@@ -86,7 +86,8 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.forward = std::cos(pitch) * ahead + std::sin(pitch) * down_from;
   pose.right = std::cos(heading) * east - std::sin(heading) * north;
   pose.up = glm::cross(pose.right, pose.forward);
-  pose.tan_half_fov = std::tan(0.5 * glm::radians(camera.fov));
+  const double upright = std::max(1.0, static_cast<double>(view.height) / view.width);
+  pose.tan_half_fov = upright * std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
   set_depth_range(pose, top_radius(scene));
   return pose;
@@ -99,16 +100,21 @@ glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pix
 }
 
 double picture_half_angle(const Pose& pose, const View& view) {
-  return std::atan(pose.tan_half_fov * std::hypot(1.0, static_cast<double>(view.width) / view.height));
+  const glm::dvec2 farthest = glm::dvec2(view.width, view.height) + 2.0 * glm::abs(view.shift);
+  return std::atan(pose.tan_half_fov * glm::length(farthest) / view.height);
 }
 
 PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
   const double ahead = -glm::dot(pose.eye, pose.forward);
   const auto [left, right] = extent(-glm::dot(pose.eye, pose.right), ahead, radius);
   const auto [bottom, top] = extent(-glm::dot(pose.eye, pose.up), ahead, radius);
-  const auto part = [](double tangent, double edge) { return std::clamp(0.5 + 0.5 * tangent / edge, 0.0, 1.0); };
+  const auto part = [](double tangent, double edge, double shift) {
+    return std::clamp(0.5 + 0.5 * tangent / edge + shift, 0.0, 1.0);
+  };
   const double edge_y = pose.tan_half_fov, edge_x = edge_y * view.width / view.height;
-  return {part(left, edge_x), part(bottom, edge_y), part(right, edge_x), part(top, edge_y)};
+  const double right_by = view.shift.x / view.width, up_by = -view.shift.y / view.height;
+  return {part(left, edge_x, right_by), part(bottom, edge_y, up_by), part(right, edge_x, right_by),
+          part(top, edge_y, up_by)};
 }
 
 double outermost_radius(const Scene& scene) {

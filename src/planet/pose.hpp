@@ -12,10 +12,11 @@ namespace terrella {
 
 // What a picture depends on beside the scene.
 struct View {
-  int width = 1280;       // pixels, >= 1
-  int height = 720;       // pixels, >= 1
-  double seconds = 0.0;   // since the scene began
-  glm::dvec2 shift{0.0};  // of the whole picture, in pixels: for several samples a pixel
+  int width = 1280;      // pixels, >= 1
+  int height = 720;      // pixels, >= 1
+  double seconds = 0.0;  // since the scene began
+  glm::dvec2 shift{
+      0.0};  // of the whole picture, in pixels right and down: for several samples a pixel, or past a panel
 };
 
 struct Pose {

@@ -7,6 +7,8 @@ const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', '
 
 const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
 
+const fingersPoint = () => matchMedia('(pointer: coarse)').matches;
+
 // A value as a link writes it.
 const asText = value => typeof value === 'string' ? value : JSON.stringify(value) ?? String(value);
 
@@ -122,7 +124,7 @@ export class Planet {
     if (!this.#program || !this.#canvas.isConnected) return;
     const width = Math.max(1, this.#canvas.clientWidth), height = Math.max(1, this.#canvas.clientHeight);
     this.#size(width, height);
-    this.#program._terrella_resize(width, height, scale());
+    this.#program._terrella_resize(width, height, scale(), fingersPoint() ? 1 : 0);
     this.#wake();
   }
 
@@ -333,6 +335,7 @@ function listenToPointers({ canvas, program, wake }) {
     if (fingers.size > 1) {
       program._terrella_pointer_button(0, 0);
     } else {
+      program._terrella_pointer_is_finger(event.pointerType === 'touch' ? 1 : 0);
       program._terrella_pointer_moved(...at);
       program._terrella_pointer_button(buttonOf(event), 1);
     }
