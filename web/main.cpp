@@ -88,8 +88,8 @@ EMSCRIPTEN_KEEPALIVE void terrella_pointer_button(int button, int down) {
 }
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_left() { session->pointer_left(); }
 EMSCRIPTEN_KEEPALIVE void terrella_wheel(double notches) { session->wheel(notches); }
-EMSCRIPTEN_KEEPALIVE void terrella_pinch(double factor, double dx, double dy, double x, double y) {
-  session->pinch(factor, dx, dy, x, y);
+EMSCRIPTEN_KEEPALIVE void terrella_pinch(double factor, double twist, double dx, double dy, double x, double y) {
+  session->pinch(factor, twist, dx, dy, x, y);
 }
 // key: an index of terrella::Key, in its order.
 EMSCRIPTEN_KEEPALIVE void terrella_key(int key, int down, int shift, int control) {

@@ -118,6 +118,11 @@ void CameraControl::zoom_now(Scene& scene, const View& view, double factor, glm:
       std::clamp(scene.camera.pitch + natural_pitch(clearance) - natural_pitch(pose.clearance), -90.0, 90.0);
 }
 
+void CameraControl::roll(Scene& scene, double angle) {
+  const double down = std::max(0.0, -std::sin(glm::radians(scene.camera.pitch)));
+  scene.camera.heading = wrapped(scene.camera.heading - glm::degrees(angle) * down);
+}
+
 bool CameraControl::tick(Scene& scene, const View& view, double seconds) {
   const auto before = scene.camera;
   const double dt = std::min(seconds, 0.1);

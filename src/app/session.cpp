@@ -149,11 +149,12 @@ void Session::wheel(double notches) {
   }
 }
 
-void Session::pinch(double factor, double dx, double dy, double x, double y) {
+void Session::pinch(double factor, double twist, double dx, double dy, double x, double y) {
   drag_ = Drag::none;
   const glm::dvec2 middle = to_pixels({x, y});
   if (std::isfinite(factor) && factor > 0.0)
     camera_.zoom_now(document_.scene, view(), std::clamp(factor, 0.2, 5.0), middle);
+  if (std::isfinite(twist)) camera_.roll(document_.scene, twist);
   camera_.look(document_.scene, view(), to_pixels({dx, dy}));
   scene_was_changed();
 }

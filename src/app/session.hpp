@@ -53,8 +53,9 @@ class Session {
   void pointer_button(Button button, bool down);
   void pointer_left();  // the window
   void wheel(double notches);
-  // Two fingers: factor of their distance, movement of their middle, around a place.
-  void pinch(double factor, double dx, double dy, double x, double y);
+  // Two fingers: factor of their distance, twist of the line through them (rad, clockwise), movement of their middle,
+  // around a place.
+  void pinch(double factor, double twist, double dx, double dy, double x, double y);
   void key(Key key, bool down, Modifiers modifiers);
   void keys_left();  // the keyboard has gone elsewhere: none is held any more
   void text(unsigned codepoint);

@@ -12,7 +12,7 @@ constexpr KeyLine planet_lines[] = {
     {"Arrows, W A S D", "move over the ground"},
     {"Q and E", "turn left, right"},
     {"R and F, Page Up and Down", "look up, down"},
-    {"One finger, two fingers", "turn the planet; nearer, away and look around"},
+    {"One finger, two fingers", "turn the planet; nearer, away, twist and look around"},
 };
 
 constexpr KeyLine scene_lines[] = {

@@ -313,7 +313,8 @@ function listenToPointers({ canvas, program, wake }) {
   };
   const twoFingers = () => {
     const [[ax, ay], [bx, by]] = [...fingers.values()];
-    return { x: (ax + bx) / 2, y: (ay + by) / 2, span: Math.max(1, Math.hypot(ax - bx, ay - by)) };
+    const span = Math.max(1, Math.hypot(ax - bx, ay - by)), angle = Math.atan2(by - ay, bx - ax);
+    return { x: (ax + bx) / 2, y: (ay + by) / 2, span, angle };
   };
   const moved = event => {
     const at = place(event);
@@ -321,9 +322,11 @@ function listenToPointers({ canvas, program, wake }) {
       const before = twoFingers();
       fingers.set(event.pointerId, at);
       const after = twoFingers();
-      program._terrella_pinch(after.span / before.span, after.x - before.x, after.y - before.y, after.x, after.y);
+      const turned = after.angle - before.angle, twist = Math.atan2(Math.sin(turned), Math.cos(turned));
+      program._terrella_pinch(after.span / before.span, twist, after.x - before.x, after.y - before.y, after.x, after.y);
     } else if (fingers.size < 2) {
       if (fingers.has(event.pointerId)) fingers.set(event.pointerId, at);
+      else program._terrella_pointer_is_finger(0);
       program._terrella_pointer_moved(...at);
     }
   };
