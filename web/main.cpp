@@ -28,6 +28,8 @@ EM_JS(void, page_copy_text, (const char* text), { Module.onCopyText(UTF8ToString
 EM_JS(void, page_save_json, (const char* text), { Module.onSaveJson(UTF8ToString(text)); });
 EM_JS(void, page_open_json, (), { Module.onOpenJson(); });
 EM_JS(void, page_save_picture, (), { Module.onSavePicture(); });
+EM_JS(int, page_can_fill_screen, (), { return Module.onFillScreen ? 1 : 0; });
+EM_JS(void, page_fill_screen, (), { Module.onFillScreen(); });
 // clang-format on
 
 std::unique_ptr<Session> session;
@@ -153,6 +155,7 @@ int main() {
   host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
   host.open_json = page_open_json;
   host.save_picture = page_save_picture;
+  if (page_can_fill_screen() != 0) host.fill_screen = page_fill_screen;
   session = std::make_unique<Session>(std::move(host));
   return 0;
 }

@@ -169,8 +169,10 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
     if (key == Key::y) redo();
   }
   if (down && !typing && !modifiers.control) {
-    keys_down_.insert(key);
-    keys_tapped_.insert(key);
+    const bool again = !keys_down_.insert(key).second;  // a key held down repeats
+    const bool for_screen = key == Key::f && modifiers.shift;
+    if (!for_screen) keys_tapped_.insert(key);
+    if (for_screen && !again && host_.fill_screen) host_.fill_screen();
     if (key == Key::space) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
     if (key == Key::c) compare(true);
@@ -226,7 +228,7 @@ void Session::update_pushes() {
   push.ahead = held(Key::up, Key::w) - held(Key::down, Key::s);
   push.nearer = held(Key::plus, Key::plus) - held(Key::minus, Key::minus);
   push.turn = held(Key::e, Key::e) - held(Key::q, Key::q);
-  push.tilt = held(Key::r, Key::page_up) - held(Key::f, Key::page_down);
+  push.tilt = held(Key::r, Key::page_up) - held(modifiers_.shift ? Key::page_down : Key::f, Key::page_down);
   camera_.push(push);
 }
 
@@ -361,6 +363,7 @@ void Session::obey(const PanelWishes& wishes) {
   if (wishes.save_json && host_.save_json) host_.save_json(to_json(document_));
   if (wishes.open_json && host_.open_json) host_.open_json();
   if (wishes.save_picture && host_.save_picture) host_.save_picture();
+  if (wishes.fill_screen && host_.fill_screen) host_.fill_screen();
   if (wishes.dismiss_notices) notices_.clear();
 }
 
@@ -370,6 +373,7 @@ PanelFacts Session::facts() const {
   facts.seconds = seconds_;
   facts.paused = paused_;
   facts.comparing = comparing_;
+  facts.can_fill_screen = host_.fill_screen != nullptr;
   facts.can_undo = history_.can_undo();
   facts.can_redo = history_.can_redo();
   facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;

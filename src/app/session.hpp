@@ -31,6 +31,7 @@ class Session {
     std::function<void(const std::string&)> save_json;  // offers a file
     std::function<void()> open_json;                    // asks for a file; comes back through load_json
     std::function<void()> save_picture;                 // offers a picture of the window
+    std::function<void()> fill_screen;                  // the whole one, or back; empty where that cannot be
   };
 
   explicit Session(Host host);

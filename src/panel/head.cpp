@@ -91,7 +91,8 @@ std::string in_latin1(std::string text) {
 void title_row(Sheet& sheet) {
   const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
   const float square = ImGui::GetFrameHeight(), width = std::min(points(46.0F), 0.22F * room);
-  const float buttons = 3.0F * width + square + 3.0F * space;
+  const bool can_fill = sheet.facts.can_fill_screen;
+  const float buttons = 3.0F * width + square + 3.0F * space + (can_fill ? square + space : 0.0F);
   title(sheet, room - buttons);
   continue_at_right(buttons);
   const auto button = [&](const char* name, const char* label, const char* help, bool enabled = true) {
@@ -108,6 +109,12 @@ void title_row(Sheet& sheet) {
   if (button("redo", "Redo", "Brings back what was undone (Ctrl+Shift+Z).", facts.can_redo)) sheet.wishes.redo = true;
   bool& keys_shown = sheet.memory.keys_shown;
   if (button("keys", "?", "Lists what keys and mouse do (?).")) keys_shown = !keys_shown;
+  if (can_fill) {
+    if (full_screen_button("fill_screen")) sheet.wishes.fill_screen = true;
+    sheet.place("fill_screen");
+    tooltip("Fills the screen, or leaves it (Shift+F).");
+    ImGui::SameLine();
+  }
   if (button("fold", "Fold", "Folds the panel to a button. The key H hides it, and brings it back.")) {
     sheet.memory.folded = true;
   }

@@ -5,7 +5,7 @@
 
 namespace terrella {
 
-// Undo, redo, help and fold.
+// Undo, redo, help, full screen where there is one, and fold.
 void title_row(Sheet& sheet);
 // List of presets, buttons.
 void head_section(Sheet& sheet);

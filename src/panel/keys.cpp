@@ -24,9 +24,8 @@ constexpr KeyLine scene_lines[] = {
 };
 
 constexpr KeyLine panel_lines[] = {
-    {"H", "hide the panel, show it"},
-    {"/", "search a parameter"},
-    {"Escape", "end the search, close this list"},
+    {"H", "hide the panel, show it"},  {"Shift+F", "fill the screen, leave it"},
+    {"/", "search a parameter"},       {"Escape", "end the search, close this list"},
     {"?", "show this list, close it"},
 };
 

@@ -21,6 +21,7 @@ struct PanelFacts {
   bool paused = false;
   bool can_undo = false, can_redo = false;
   bool comparing = false;  // the planet is shown as it was opened
+  bool can_fill_screen = false;
   double frame_ms = 0.0;
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;
@@ -40,6 +41,7 @@ struct PanelWishes {
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false, save_picture = false;
   bool dismiss_notices = false;
+  bool fill_screen = false;  // or leave it
 
   bool operator==(const PanelWishes&) const = default;
 };

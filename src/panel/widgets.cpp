@@ -43,6 +43,20 @@ void draw_turn_back(ImVec2 centre, float radius, unsigned color) {
                          {tail.x + head, tail.y + head * 0.5F}, color);
 }
 
+void draw_corners(ImVec2 centre, float reach, unsigned color) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float arm = 0.6F * reach;
+  for (const float x : {-1.0F, 1.0F}) {
+    for (const float y : {-1.0F, 1.0F}) {
+      const ImVec2 corner{centre.x + x * reach, centre.y + y * reach};
+      list.PathLineTo({corner.x - x * arm, corner.y});
+      list.PathLineTo(corner);
+      list.PathLineTo({corner.x, corner.y - y * arm});
+      list.PathStroke(color, 0, points(1.5F));
+    }
+  }
+}
+
 }  // namespace
 
 float points(float count) { return count * ImGui::GetFontSize() / default_font_size; }
@@ -67,6 +81,16 @@ bool reset_button(const char* id) {
   const bool pressed = ImGui::InvisibleButton(id, {side, side});
   const unsigned color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_CheckMark);
   draw_turn_back({from.x + side * 0.5F, from.y + side * 0.5F}, side * 0.24F, color);
+  return pressed;
+}
+
+bool full_screen_button(const char* id) {
+  const float side = ImGui::GetFrameHeight();
+  ImGui::PushID(id);
+  const bool pressed = ImGui::Button("##", {side, side});
+  ImGui::PopID();
+  const ImVec2 from = ImGui::GetItemRectMin();
+  draw_corners({from.x + 0.5F * side, from.y + 0.5F * side}, points(5.0F), ImGui::GetColorU32(ImGuiCol_Text));
   return pressed;
 }
 

@@ -19,6 +19,9 @@ bool reset_button(const char* id);
 // How wide that is.
 float reset_button_width();
 
+// A square button with the corners of a screen.
+bool full_screen_button(const char* id);
+
 // An entry of an open list, as high as a row of the panel.
 bool choice_row(const std::string& text, bool chosen);
 

@@ -253,6 +253,20 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('fills the screen by Shift+F, and leaves it again', async () => {
+    const page = await open('?panel=0&pause=1&preset=moon');
+    const size = () => page.evaluate(() => terrella.stats().size);
+    const before = await size();
+    await page.focus('canvas');
+    await page.keyboard.press('Shift+F');
+    await until(page, () => document.fullscreenElement === document.querySelector('canvas'));
+    await page.keyboard.press('Shift+F');
+    await until(page, () => document.fullscreenElement === null);
+    await until(page, ([width]) => terrella.stats().size[0] === width, before);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('is sharp on a screen with more pixels', async () => {
     const page = await open('?panel=0&pause=1', { deviceScaleFactor: 2 });
     assert.deepEqual(await page.evaluate(() => [document.querySelector('canvas').width, document.querySelector('canvas').height]), [640, 480]);

@@ -240,8 +240,16 @@ export class Planet {
         input.onchange = async () => { if (input.files[0]) this.#loadFile(await input.files[0].text()); };
         input.click();
       },
+      // Not on an iPhone, nor in a frame that may not.
+      onFillScreen: document.fullscreenEnabled && this.#canvas.requestFullscreen ? () => this.#fillScreen() : null,
       onSavePicture: () => this.#screenshot().then(blob => save(blob, 'planet.png')),
     };
+  }
+
+  // Or back.
+  #fillScreen() {
+    const filled = this.#canvas.getRootNode().fullscreenElement === this.#canvas;
+    (filled ? document.exitFullscreen() : this.#canvas.requestFullscreen()).catch(() => {});
   }
 
   async #screenshot({ width = this.#canvas.width, height = this.#canvas.height } = {}) {
