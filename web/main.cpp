@@ -93,9 +93,9 @@ EMSCRIPTEN_KEEPALIVE void terrella_wheel(double notches) { session->wheel(notche
 EMSCRIPTEN_KEEPALIVE void terrella_pinch(double factor, double twist, double dx, double dy, double x, double y) {
   session->pinch(factor, twist, dx, dy, x, y);
 }
-// key: an index of terrella::Key, in its order.
-EMSCRIPTEN_KEEPALIVE void terrella_key(int key, int down, int shift, int control) {
-  session->key(static_cast<terrella::Key>(key), down != 0, {shift != 0, control != 0});
+// key: an index of terrella::Key, in its order. Returns whether it was of use.
+EMSCRIPTEN_KEEPALIVE int terrella_key(int key, int down, int shift, int control) {
+  return session->key(static_cast<terrella::Key>(key), down != 0, {shift != 0, control != 0}) ? 1 : 0;
 }
 EMSCRIPTEN_KEEPALIVE void terrella_keys_left() { session->keys_left(); }
 EMSCRIPTEN_KEEPALIVE void terrella_text(unsigned codepoint) { session->text(codepoint); }

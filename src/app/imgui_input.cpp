@@ -47,6 +47,24 @@ void button(int button, bool down) { ImGui::GetIO().AddMouseButtonEvent(button, 
 
 void wheel(double notches) { ImGui::GetIO().AddMouseWheelEvent(0.0F, static_cast<float>(notches)); }
 
+bool navigates(Key key) {
+  switch (key) {
+    case Key::left:
+    case Key::right:
+    case Key::up:
+    case Key::down:
+    case Key::page_up:
+    case Key::page_down:
+    case Key::home:
+    case Key::end:
+    case Key::space:
+    case Key::enter:
+    case Key::escape:
+    case Key::tab: return true;
+    default: return false;
+  }
+}
+
 void key(Key key, bool down, Modifiers modifiers) {
   ImGuiIO& io = ImGui::GetIO();
   io.AddKeyEvent(ImGuiMod_Ctrl, modifiers.control);

@@ -11,6 +11,8 @@ void pointer_is_finger(bool finger);
 void leave();
 void button(int button, bool down);
 void wheel(double notches);
+// Whether a key leads from widget to widget, or presses one.
+bool navigates(Key key);
 void key(Key key, bool down, Modifiers modifiers);
 void text(unsigned codepoint);
 

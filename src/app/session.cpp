@@ -40,6 +40,7 @@ struct Session::PanelPainter {
 Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContext()) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   style_panel(static_cast<float>(scale_));
   history_.start({document_, opened_});
 }
@@ -115,6 +116,7 @@ void Session::pointer_button(Button button, bool down) {
   if (down && panel_shown_ && renderer_) run_panel();
   imgui_input::button(static_cast<int>(button), down);
   panel_frames_ = 3;
+  tab_leads_out_ = false;
   if (!down) {
     if (drag_ == Drag::turn) camera_.release(now_ - last_drag_time_);
     drag_ = Drag::none;
@@ -159,11 +161,26 @@ void Session::pinch(double factor, double twist, double dx, double dy, double x,
   scene_was_changed();
 }
 
-void Session::key(Key key, bool down, Modifiers modifiers) {
+// While a widget of the panel has the keyboard, these lead from one to the next, and press them.
+bool Session::is_for_panel(Key key) const {
+  if (!panel_shown_) return false;
+  if (ImGui::GetIO().WantTextInput) return true;
+  return panel_.has_keyboard() && imgui_input::navigates(key);
+}
+
+bool Session::lead_into_panel() {
+  if (!panel_shown_ || tab_leads_out_) return false;
+  panel_.take_keyboard();
+  return true;
+}
+
+bool Session::key(Key key, bool down, Modifiers modifiers) {
   modifiers_ = modifiers;
-  imgui_input::key(key, down, modifiers);
   panel_frames_ = 3;
-  const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
+  const bool typing = is_for_panel(key);
+  const bool used = key != Key::unknown && (key != Key::tab || typing || (down && lead_into_panel()));
+  // Where nothing of the panel has the keyboard, arrows must not wake what had it last.
+  if (typing || !down || !imgui_input::navigates(key) || key == Key::escape) imgui_input::key(key, down, modifiers);
   if (down && !typing && modifiers.control) {
     if (key == Key::z) modifiers.shift ? redo() : undo();
     if (key == Key::y) redo();
@@ -183,9 +200,11 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
   const bool pushed = camera_.pushed();
   update_pushes();
   if (camera_.pushed() && !pushed) go_on_by(History::Means::keys);
+  return used;
 }
 
 void Session::keys_left() {
+  tab_leads_out_ = false;
   keys_down_.clear();
   modifiers_ = {};
   compare(false);
@@ -338,8 +357,10 @@ void Session::run_panel() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   const float covered = panel_.covered_below();
+  const bool had_keyboard = panel_.has_keyboard();
   const PanelWishes wishes = panel_.draw(document_, facts());
   if (panel_.covered_below() != covered) planet_stale_ = true;
+  if (had_keyboard && !panel_.has_keyboard()) tab_leads_out_ = ImGui::IsKeyDown(ImGuiKey_Escape);
   ImGui::Render();
   obey(wishes);
 }

@@ -57,7 +57,9 @@ class Session {
   // Two fingers: factor of their distance, twist of the line through them (rad, clockwise), movement of their middle,
   // around a place.
   void pinch(double factor, double twist, double dx, double dy, double x, double y);
-  void key(Key key, bool down, Modifiers modifiers);
+  // Returns whether it was of use here. Tab is not once the panel was left by Escape, so that it leads out of the
+  // planet.
+  bool key(Key key, bool down, Modifiers modifiers);
   void keys_left();  // the keyboard has gone elsewhere: none is held any more
   void text(unsigned codepoint);
   void pasted(const std::string& text);
@@ -98,6 +100,8 @@ class Session {
   enum class OnPanel { nothing_new, press, wheel };  // a hand, since the panel last changed the scene
   struct PanelPainter;
 
+  bool is_for_panel(Key key) const;
+  bool lead_into_panel();
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
@@ -144,6 +148,7 @@ class Session {
   std::set<Key> keys_tapped_;  // since the camera last moved: a tap may be shorter than a frame
   Modifiers modifiers_;
   bool hand_on_value_ = false;
+  bool tab_leads_out_ = false;  // the panel was left by Escape
   OnPanel on_panel_ = OnPanel::nothing_new;
   bool comparing_ = false;
 

@@ -24,8 +24,12 @@ constexpr KeyLine scene_lines[] = {
 };
 
 constexpr KeyLine panel_lines[] = {
-    {"H", "hide the panel, show it"},  {"Shift+F", "fill the screen, leave it"},
-    {"/", "search a parameter"},       {"Escape", "end the search, close this list"},
+    {"H", "hide the panel, show it"},
+    {"Shift+F", "fill the screen, leave it"},
+    {"/", "search a parameter"},
+    {"Tab", "go into the panel, and from row to row"},
+    {"Arrows, Enter", "in the panel: go on, press"},
+    {"Escape", "end the search, close this list, leave the panel"},
     {"?", "show this list, close it"},
 };
 
@@ -34,6 +38,7 @@ constexpr KeyLine slider_lines[] = {
     {"Wheel", "change it in small steps"},
     {"Ctrl with drag or wheel", "a tenth as fast"},
     {"Double click, Ctrl+click", "type the value"},
+    {"Left and Right, Enter", "by keyboard: small steps, type the value"},
 };
 
 constexpr KeyGroup groups_of_keys[] = {

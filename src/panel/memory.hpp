@@ -51,6 +51,13 @@ struct FingerScroll {
   bool decided = false, scrolls = false;
 };
 
+// Who has the keyboard.
+struct Keyboard {
+  bool wanted = false;  // the panel shall have it
+  bool here = false;    // a widget of the panel has it, and is marked
+  bool busy = false;    // an open list or a value being changed has the next Escape
+};
+
 struct PanelPlace {
   bool below = false;   // it is a sheet under the planet, not at the left edge
   bool folded = false;  // to a button
@@ -64,6 +71,7 @@ struct PanelMemory {
   bool keys_shown = false;  // the list of keys
   Typing typing;
   FingerScroll finger;
+  Keyboard keyboard;
   SliderHand hand;
   Search search;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it

@@ -2,11 +2,14 @@
 
 #include <imgui.h>
 
+#include <utility>
+
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "panel/facts_view.hpp"
 #include "panel/finger_scroll.hpp"
 #include "panel/head.hpp"
+#include "panel/keyboard.hpp"
 #include "panel/keys_window.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/place.hpp"
@@ -76,6 +79,7 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   Sheet sheet{document, preset, facts, memory_, places};
   const PanelPlace place = memory_.place();  // a press folds it in the next frame
   const bool visible = begin_panel_window(place);
+  if (std::exchange(memory_.keyboard.wanted, false)) terrella::take_keyboard();
   if (visible && place.folded) folded_section(sheet);
   if (visible && !place.folded) {
     title_row(sheet);
@@ -92,6 +96,9 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   end_panel_window();
   keys_window(sheet);
   scroll_by_finger(memory_.finger);
+  give_back_keyboard(memory_.keyboard);
+  // What was pressed is no longer there.
+  if (memory_.place().folded != place.folded && memory_.keyboard.here) take_keyboard();
   covered_below_ = height_of_sheet(memory_.place());
   return sheet.wishes;
 }

@@ -68,6 +68,12 @@ class Panel {
   // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
   void start_search();
 
+  // Leads the keyboard into the panel, as the next frame is drawn: from then on Tab and arrows go from widget to
+  // widget, Enter presses them, and Escape gives the keyboard back. Needs ImGuiConfigFlags_NavEnableKeyboard.
+  void take_keyboard() { memory_.keyboard.wanted = true; }
+  // Whether it has been there since the last frame.
+  [[nodiscard]] bool has_keyboard() const { return memory_.keyboard.here; }
+
   // Shows the list of keys, or closes it.
   void toggle_keys() { memory_.keys_shown = !memory_.keys_shown; }
 

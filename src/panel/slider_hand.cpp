@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "panel/finger_scroll.hpp"
+#include "panel/keyboard.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -64,8 +65,11 @@ double turned(Wheel& wheel, std::string_view path) {
 SliderWish hand_on_slider(SliderHand& hand, std::string_view path, double position, double value) {
   SliderWish wish;
   Grip& grip = hand.grip;
-  wish.steps = turned(hand.wheel, path);
-  if (ImGui::IsItemActivated() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && grip.path == path) {
+  wish.steps = turned(hand.wheel, path) + steps_by_arrows();
+  if (pressed_by_key()) {
+    wish.type = value;
+    grip = {};
+  } else if (ImGui::IsItemActivated() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && grip.path == path) {
     wish.type = grip.before;
     grip = {};
   } else if (ImGui::IsItemActivated()) {

@@ -32,6 +32,7 @@ void set_colors(ImVec4* colors) {
   colors[ImGuiCol_FrameBg] = field;
   colors[ImGuiCol_FrameBgHovered] = colors[ImGuiCol_FrameBgActive] = field_lit;
   colors[ImGuiCol_CheckMark] = accent;
+  colors[ImGuiCol_NavHighlight] = accent;
   colors[ImGuiCol_SliderGrab] = fill;
   colors[ImGuiCol_SliderGrabActive] = fill_lit;
   colors[ImGuiCol_Button] = rgb(0x2b3744);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "panel/keyboard.hpp"
+
 namespace terrella {
 namespace {
 
@@ -66,6 +68,7 @@ void bar(const char* id, double position, const std::string& text, float width) 
   const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
   ImGui::InvisibleButton(id, {width, to.y - from.y});
   draw_bar(from, to, position, text);
+  mark_focus();
 }
 
 double position_on_bar(float x) {
@@ -81,6 +84,7 @@ bool reset_button(const char* id) {
   const bool pressed = ImGui::InvisibleButton(id, {side, side});
   const unsigned color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_CheckMark);
   draw_turn_back({from.x + side * 0.5F, from.y + side * 0.5F}, side * 0.24F, color);
+  mark_focus();
   return pressed;
 }
 
@@ -122,7 +126,7 @@ void two_columns(float share, const std::function<void()>& left, const std::func
 void begin_side_tooltip() {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + points(6.0F);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float y = ImGui::GetIO().MousePos.y;
+  const float y = keyboard_is_here() ? ImGui::GetItemRectMin().y : ImGui::GetIO().MousePos.y;
   // On a narrow window it goes where Dear ImGui sees fit.
   if (right + points(tooltip_width) < display.x) {
     ImGui::SetNextWindowPos({right, y}, ImGuiCond_Always, {0.0F, y > display.y * 0.6F ? 1.0F : 0.0F});

@@ -86,6 +86,33 @@ class SessionTest : public testing::Test {
 
 constexpr Modifiers control{false, true}, control_shift{true, true};
 
+TEST_F(SessionTest, ArrowsAreThePlanetsUntilTabLeadsIntoThePanel) {
+  session.show_panel(true);
+  settle();
+  const auto turns = [&] {
+    const SceneDocument before = session.document();
+    session.key(Key::right, true, {});
+    frames(5);
+    session.key(Key::right, false, {});
+    settle();
+    return !(session.document() == before);
+  };
+  EXPECT_TRUE(turns());
+  EXPECT_TRUE(session.key(Key::tab, true, {}));
+  session.key(Key::tab, false, {});
+  settle();
+  EXPECT_FALSE(turns());
+  tap(Key::escape);
+  settle();
+  EXPECT_TRUE(turns());
+  EXPECT_FALSE(session.key(Key::tab, true, {}));  // it leads on, out of the planet
+  session.keys_left();
+  EXPECT_TRUE(session.key(Key::tab, true, {}));  // as it comes back
+  session.show_panel(false);
+  settle();
+  EXPECT_FALSE(session.key(Key::tab, true, {}));
+}
+
 TEST_F(SessionTest, FillsTheScreenOnceAPressAndLeavesTheCameraAlone) {
   session.set("camera.pitch", "-45");
   settle();

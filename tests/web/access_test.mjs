@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { sleep, until } from './browser.mjs';
-import { settled, testSite } from './site.mjs';
+import { look, settled, testSite } from './site.mjs';
 
 const { open } = testSite();
 
@@ -48,6 +48,29 @@ describe('the page, to everyone', () => {
     const rest = await longitude();
     await sleep(500);
     assert.equal(await longitude(), rest);
+    await page.context().close();
+  });
+
+  test('leads by keys alone from the open page to a copied link, and out again', async () => {
+    const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 }, permissions: ['clipboard-read', 'clipboard-write'] });
+    await page.evaluate(() => { document.body.append(Object.assign(document.createElement('button'), { id: 'next' })); });
+    const focused = () => page.evaluate(() => document.activeElement.id);
+    const tap = async key => { await page.keyboard.press(key, { delay: 100 }); await sleep(400); };
+    const start = await page.evaluate(() => terrella.scene());
+    await tap('Tab');
+    assert.equal(await focused(), 'planet');
+    const unmarked = await look(page);
+    await tap('Tab');  // into the panel: undo and redo are not to be had yet
+    assert.notDeepEqual(await look(page), unmarked);
+    for (const step of ['Tab', 'Tab', 'Tab', 'ArrowDown']) await tap(step);  // full screen, fold, presets, what lies below
+    assert.equal(await focused(), 'planet');
+    await tap('Enter');
+    await until(page, async () => (await navigator.clipboard.readText()) === terrella.link());
+    assert.deepEqual(await page.evaluate(() => terrella.scene()), start);  // the arrow turned no planet
+    await tap('Escape');
+    await tap('Tab');
+    assert.equal(await focused(), 'next');
+    assert.deepEqual(page.wrong, []);
     await page.context().close();
   });
 });

@@ -377,11 +377,11 @@ function listenToKeys({ canvas, program, wake }) {
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const index = Math.max(0, keys.indexOf(name === '=' ? '+' : name));
     const control = event.ctrlKey || event.metaKey;
-    program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
+    const used = program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
     if (down && event.key.length === 1 && !control) program._terrella_text(event.key.codePointAt(0));
     // The browser would search, scroll or open a list of its own.
     const ours = control ? name === 'z' || name === 'y' : index > 0 || event.key.length === 1;
-    if (ours && event.key !== 'Tab') event.preventDefault();
+    if (ours && (used || event.key !== 'Tab')) event.preventDefault();
     wake();
   };
   canvas.addEventListener('keydown', key(true));

@@ -1,0 +1,31 @@
+// The panel by keyboard alone, by Dear ImGui's own navigation: who has the keyboard, and what its mark looks like.
+#pragma once
+
+#include "panel/memory.hpp"
+
+namespace terrella {
+
+// Between Begin and End of a window: its first widget takes the keyboard, and is marked.
+void take_keyboard();
+
+// Whether a widget of the panel has the keyboard and is marked.
+bool keyboard_is_here();
+
+// Around the widget drawn last, where that does not draw the mark itself.
+void mark_focus();
+
+// Puts the keyboard back on a widget of the current window that something else has stood in for.
+void focus_again(const char* id);
+
+// Steps that the arrow keys take on the slider drawn last, which keeps them from leading to its neighbours: -1, 0 or 1,
+// and a tenth of that with Ctrl.
+double steps_by_arrows();
+
+// Whether the widget drawn last was pressed by a key.
+bool pressed_by_key();
+
+// After all widgets of a frame. Escape gives the keyboard back to the planet, unless it was for an open list or a
+// value.
+void give_back_keyboard(Keyboard& keyboard);
+
+}  // namespace terrella
