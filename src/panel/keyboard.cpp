@@ -15,11 +15,16 @@ constexpr double fine = 0.1;  // with Ctrl
 void take_keyboard() {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
-  ImGui::FocusWindow(window);
-  ImGui::NavInitWindow(window, true);
+  const bool was_here = context.NavWindow != nullptr && context.NavWindow->RootWindow == window->RootWindow;
+  if (!was_here || context.NavId == 0) {
+    ImGui::FocusWindow(window);
+    ImGui::NavInitWindow(window, true);
+  }
   context.NavDisableHighlight = false;
   context.NavDisableMouseHover = true;  // the pointer rests somewhere
 }
+
+void forget_focus() { ImGui::GetCurrentContext()->NavId = 0; }
 
 bool keyboard_is_here() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -48,10 +53,10 @@ bool pressed_by_key() {
   return ImGui::IsItemActivated() && ImGui::GetCurrentContext()->ActiveIdSource == ImGuiInputSource_Keyboard;
 }
 
-void give_back_keyboard(Keyboard& keyboard) {
+void give_back_keyboard(Keyboard& keyboard, bool keys_shown) {
   const bool escape = ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   if (escape && !keyboard.busy) ImGui::GetCurrentContext()->NavDisableHighlight = true;
-  keyboard.busy = ImGui::IsAnyItemActive() ||
+  keyboard.busy = keys_shown || ImGui::IsAnyItemActive() ||
                   ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   keyboard.here = keyboard_is_here();
 }

@@ -5,8 +5,11 @@
 
 namespace terrella {
 
-// Between Begin and End of a window: its first widget takes the keyboard, and is marked.
+// Between Begin and End of a window: the widget that was used last takes the keyboard, or the first one, and is marked.
 void take_keyboard();
+
+// The widget that was used last is no longer there.
+void forget_focus();
 
 // Whether a widget of the panel has the keyboard and is marked.
 bool keyboard_is_here();
@@ -24,8 +27,8 @@ double steps_by_arrows();
 // Whether the widget drawn last was pressed by a key.
 bool pressed_by_key();
 
-// After all widgets of a frame. Escape gives the keyboard back to the planet, unless it was for an open list or a
-// value.
-void give_back_keyboard(Keyboard& keyboard);
+// After all widgets of a frame. Escape gives the keyboard back to the planet, unless it was for an open list, a value
+// or the list of keys.
+void give_back_keyboard(Keyboard& keyboard, bool keys_shown);
 
 }  // namespace terrella

@@ -96,9 +96,11 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   end_panel_window();
   keys_window(sheet);
   scroll_by_finger(memory_.finger);
-  give_back_keyboard(memory_.keyboard);
-  // What was pressed is no longer there.
-  if (memory_.place().folded != place.folded && memory_.keyboard.here) take_keyboard();
+  give_back_keyboard(memory_.keyboard, memory_.keys_shown);
+  if (memory_.place().folded != place.folded) {
+    forget_focus();
+    if (memory_.keyboard.here) take_keyboard();
+  }
   covered_below_ = height_of_sheet(memory_.place());
   return sheet.wishes;
 }

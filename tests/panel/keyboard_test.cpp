@@ -55,8 +55,6 @@ class KeyboardTest : public PanelTest {
 
 TEST_F(KeyboardTest, IsThePlanetsUntilItIsLedIn) {
   EXPECT_FALSE(panel.has_keyboard());
-  click("pause");
-  EXPECT_FALSE(panel.has_keyboard());
   enter();
   EXPECT_TRUE(panel.has_keyboard());
   EXPECT_EQ(focused(), "keys");  // there is nothing to undo
@@ -118,6 +116,32 @@ TEST_F(KeyboardTest, ArrowsStepASliderAndEnterTypesIt) {
   EXPECT_EQ(document.scene.terrain.height, 0.25);  // of kilometres
   EXPECT_FALSE(ImGui::GetIO().WantTextInput);
   EXPECT_EQ(focused(), "terrain.height");
+}
+
+TEST_F(KeyboardTest, GoesOnFromWhereTheHandWas) {
+  click("pause");
+  EXPECT_FALSE(panel.has_keyboard());
+  enter();
+  EXPECT_EQ(focused(), "pause");
+  tap(ImGuiKey_Escape);
+  panel.start_search();
+  frames(6);
+  type("steepness");
+  tap(ImGuiKey_Enter);
+  ASSERT_FALSE(panel.has_keyboard());
+  enter();
+  EXPECT_EQ(focused(), "search");
+  go_to("waves.steepness");
+}
+
+TEST_F(KeyboardTest, EscapeClosesTheListOfKeysFirst) {
+  enter();
+  ASSERT_EQ(focused(), "keys");
+  tap(ImGuiKey_Enter);
+  ASSERT_EQ(count_of("keys/close"), 1);
+  tap(ImGuiKey_Escape);
+  EXPECT_EQ(count_of("keys/close"), 0);
+  EXPECT_TRUE(panel.has_keyboard());
 }
 
 TEST_F(KeyboardTest, StaysWhenThePanelFoldsAndUnfolds) {
