@@ -77,9 +77,9 @@ SliderWish hand_on_slider(SliderHand& hand, std::string_view path, double positi
   }
   if (grip.path != path) return wish;
   if (ImGui::IsItemActive() && drag(grip)) wish.position = std::clamp(grip.position, 0.0, 1.0);
-  // Not where the press was taken away to scroll.
+  // Not where the press was taken away, to scroll or for a second finger.
   if (ImGui::IsItemDeactivated() && grip.stays && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
-    if (by_finger()) wish.position = std::clamp(position_on_bar(grip.x), 0.0, 1.0);
+    if (by_finger() && ImGui::IsMousePosValid()) wish.position = std::clamp(position_on_bar(grip.x), 0.0, 1.0);
     if (!by_finger()) wish.type = value;
   }
   return wish;

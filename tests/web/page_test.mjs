@@ -231,9 +231,9 @@ describe('the page', () => {
 
   test('keeps the whole picture while only the panel is drawn again', async () => {
     const page = await open('?panel=0&pause=1&preset=moon');
+    await page.focus('canvas');  // which has a mark
     await settled(page);
     const before = await look(page);
-    await page.focus('canvas');
     await page.keyboard.press('x');
     await sleep(500);
     assert.deepEqual(await look(page), before);

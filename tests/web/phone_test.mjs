@@ -38,18 +38,35 @@ describe('the page on a phone', () => {
     const fingers = await fingersOn(page);
     const [start, folded] = [await camera(page), await above(page)];
     await fingers.draw([100, 700], [140, 690]);
-    const turned = await camera(page);
-    assert.notEqual(turned, start);  // the planet is there, not the panel
+    assert.notEqual(await camera(page), start);  // the planet is there, not the panel
 
     await page.touchscreen.tap(...handle);
     await settled(page);
-    const unfolded = await above(page);
+    const unfolded = await above(page), turned = await camera(page);
     assert.ok(unfolded.brightness > 2 * folded.brightness, JSON.stringify([folded, unfolded]));
     await fingers.draw([100, 700], [100, 600]);
     assert.equal(await camera(page), turned);  // it scrolls the panel
     await fingers.draw([100, 200], [140, 190]);
     assert.notEqual(await camera(page), turned);
     assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('presses nothing where a second finger comes', async () => {
+    const page = await open(query, phone);
+    await settled(page);
+    const fingers = await fingersOn(page);
+    const folded = await above(page);
+    await fingers.down(handle);
+    await sleep(300);
+    await fingers.down(handle, [195, 400]);
+    await sleep(300);
+    await fingers.up();
+    await settled(page);
+    assert.deepEqual(await above(page), folded);
+    await page.touchscreen.tap(...handle);
+    await settled(page);
+    assert.notDeepEqual(await above(page), folded);
     await page.context().close();
   });
 

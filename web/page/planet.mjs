@@ -344,6 +344,7 @@ function listenToPointers({ canvas, program, wake }) {
     const at = place(event);
     if (event.pointerType === 'touch') fingers.set(event.pointerId, at);
     if (fingers.size > 1) {
+      program._terrella_pointer_left();  // the first finger presses nothing: it was the beginning of this
       program._terrella_pointer_button(0, 0);
     } else {
       program._terrella_pointer_is_finger(event.pointerType === 'touch' ? 1 : 0);
