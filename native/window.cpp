@@ -36,6 +36,20 @@ void ask_for_core_context() {
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
 }
 
+// The one that shows a place of the desktop, else the first; none where there is no monitor at all.
+GLFWmonitor* monitor_under(int x, int y) {
+  int count = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    int left = 0, top = 0;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+    if (mode == nullptr) continue;
+    if (x >= left && x < left + mode->width && y >= top && y < top + mode->height) return monitors[i];
+  }
+  return glfwGetPrimaryMonitor();
+}
+
 Window& window_of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
 
 }  // namespace
@@ -75,6 +89,7 @@ void Window::run(const SceneDocument& document) {
     const Session::Turn turn = session_.frame(glfwGetTime(), 0);
     if (turn.drawn) glfwSwapBuffers(handle_.get());
     if (picture_wanted_) save_picture();
+    if (screen_wanted_) fill_screen();
     if (turn.drawn && turn.again) {
       glfwPollEvents();
     } else if (turn.again) {
@@ -90,7 +105,8 @@ Session::Host Window::host() {
   host.copy_text = [this](const std::string& text) { glfwSetClipboardString(handle_.get(), text.c_str()); };
   host.save_json = [this](const std::string& text) { tell(save_new_file("planet", ".json", text + "\n")); };
   host.open_json = [this] { session_.add_notices({"To open a scene, drag its JSON file into this window."}); };
-  // Asked for in the middle of a frame; drawn after it.
+  // Asked for in the middle of a frame; done after it.
+  host.fill_screen = [this] { screen_wanted_ = true; };
   host.save_picture = [this] { picture_wanted_ = true; };
   return host;
 }
@@ -157,6 +173,21 @@ void Window::key(int code, int action) {
     return;
   }
   session_.key(key_of_glfw(code), action != GLFW_RELEASE, modifiers);
+}
+
+// Or back to where it was.
+void Window::fill_screen() {
+  screen_wanted_ = false;
+  GLFWwindow* const window = handle_.get();
+  if (glfwGetWindowMonitor(window) != nullptr) {
+    glfwSetWindowMonitor(window, nullptr, windowed_.x, windowed_.y, windowed_.width, windowed_.height, GLFW_DONT_CARE);
+    return;
+  }
+  glfwGetWindowPos(window, &windowed_.x, &windowed_.y);
+  glfwGetWindowSize(window, &windowed_.width, &windowed_.height);
+  GLFWmonitor* const monitor = monitor_under(windowed_.x + windowed_.width / 2, windowed_.y + windowed_.height / 2);
+  const GLFWvidmode* const mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+  if (mode != nullptr) glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 void Window::open_file(const std::string& path) {

@@ -37,6 +37,7 @@ class Window {
   void key(int code, int action);
   void open_file(const std::string& path);
   void save_picture();
+  void fill_screen();
   // Tells where a file was saved, or why not.
   void tell(const Result<std::string>& saved);
 
@@ -44,7 +45,10 @@ class Window {
   Session session_;
   double points_per_unit_ = 1.0;  // GLFW's unit of places is a point on some systems, a pixel on others
   int buttons_down_ = 0;
-  bool picture_wanted_ = false;
+  bool picture_wanted_ = false, screen_wanted_ = false;
+  struct {
+    int x = 0, y = 0, width = 0, height = 0;
+  } windowed_;  // its place before it filled the screen, in GLFW's unit
 };
 
 }  // namespace terrella

@@ -28,6 +28,8 @@ EM_JS(void, page_copy_text, (const char* text), { Module.onCopyText(UTF8ToString
 EM_JS(void, page_save_json, (const char* text), { Module.onSaveJson(UTF8ToString(text)); });
 EM_JS(void, page_open_json, (), { Module.onOpenJson(); });
 EM_JS(void, page_save_picture, (), { Module.onSavePicture(); });
+EM_JS(int, page_can_fill_screen, (), { return Module.onFillScreen ? 1 : 0; });
+EM_JS(void, page_fill_screen, (), { Module.onFillScreen(); });
 // clang-format on
 
 std::unique_ptr<Session> session;
@@ -69,8 +71,8 @@ EMSCRIPTEN_KEEPALIVE int terrella_start() {
 
 EMSCRIPTEN_KEEPALIVE void terrella_context_lost() { session->context_lost(); }
 
-EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale) {
-  session->resize(width, height, scale);
+EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale, int fingers) {
+  session->resize(width, height, scale, fingers != 0);
 }
 
 // Returns the share of shaders that are ready, below 1, until there is a picture; then 1, plus 1 if a picture was
@@ -81,18 +83,19 @@ EMSCRIPTEN_KEEPALIVE double terrella_frame(double seconds) {
   return 1.0 + (turn.drawn ? 1.0 : 0.0) + (turn.again ? 2.0 : 0.0) + (turn.whole ? 4.0 : 0.0);
 }
 
+EMSCRIPTEN_KEEPALIVE void terrella_pointer_is_finger(int finger) { session->pointer_is_finger(finger != 0); }
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_moved(double x, double y) { session->pointer_moved(x, y); }
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_button(int button, int down) {
   session->pointer_button(static_cast<terrella::Button>(button), down != 0);
 }
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_left() { session->pointer_left(); }
 EMSCRIPTEN_KEEPALIVE void terrella_wheel(double notches) { session->wheel(notches); }
-EMSCRIPTEN_KEEPALIVE void terrella_pinch(double factor, double dx, double dy, double x, double y) {
-  session->pinch(factor, dx, dy, x, y);
+EMSCRIPTEN_KEEPALIVE void terrella_pinch(double factor, double twist, double dx, double dy, double x, double y) {
+  session->pinch(factor, twist, dx, dy, x, y);
 }
-// key: an index of terrella::Key, in its order.
-EMSCRIPTEN_KEEPALIVE void terrella_key(int key, int down, int shift, int control) {
-  session->key(static_cast<terrella::Key>(key), down != 0, {shift != 0, control != 0});
+// key: an index of terrella::Key, in its order. Returns whether it was of use.
+EMSCRIPTEN_KEEPALIVE int terrella_key(int key, int down, int shift, int control) {
+  return session->key(static_cast<terrella::Key>(key), down != 0, {shift != 0, control != 0}) ? 1 : 0;
 }
 EMSCRIPTEN_KEEPALIVE void terrella_keys_left() { session->keys_left(); }
 EMSCRIPTEN_KEEPALIVE void terrella_text(unsigned codepoint) { session->text(codepoint); }
@@ -153,6 +156,7 @@ int main() {
   host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
   host.open_json = page_open_json;
   host.save_picture = page_save_picture;
+  if (page_can_fill_screen() != 0) host.fill_screen = page_fill_screen;
   session = std::make_unique<Session>(std::move(host));
   return 0;
 }

@@ -84,7 +84,7 @@ void CameraControl::release(double seconds) {
 }
 
 void CameraControl::look(Scene& scene, const View& view, glm::dvec2 pixels) {
-  const double degrees = scene.camera.fov / view.height;
+  const double degrees = scene.camera.fov / std::min(view.width, view.height);
   scene.camera.heading = wrapped(scene.camera.heading + pixels.x * degrees);
   scene.camera.pitch = std::clamp(scene.camera.pitch - pixels.y * degrees, -90.0, 90.0);
 }
@@ -118,6 +118,11 @@ void CameraControl::zoom_now(Scene& scene, const View& view, double factor, glm:
       std::clamp(scene.camera.pitch + natural_pitch(clearance) - natural_pitch(pose.clearance), -90.0, 90.0);
 }
 
+void CameraControl::roll(Scene& scene, double angle) {
+  const double down = std::max(0.0, -std::sin(glm::radians(scene.camera.pitch)));
+  scene.camera.heading = wrapped(scene.camera.heading - glm::degrees(angle) * down);
+}
+
 bool CameraControl::tick(Scene& scene, const View& view, double seconds) {
   const auto before = scene.camera;
   const double dt = std::min(seconds, 0.1);
@@ -132,7 +137,7 @@ bool CameraControl::tick(Scene& scene, const View& view, double seconds) {
     move_over(scene, push_.right * angle, push_.ahead * angle);
   }
   double nearer = push_.nearer * key_zoom * dt;
-  glm::dvec2 toward(0.5 * view.width, 0.5 * view.height);
+  glm::dvec2 toward = glm::dvec2(0.5 * view.width, 0.5 * view.height) + view.shift;
   if (zoom_left_ != 0.0) {
     const double part = std::abs(zoom_left_) < 1e-3 ? zoom_left_ : zoom_left_ * (1.0 - std::exp(-zoom_ease * dt));
     zoom_left_ -= part;

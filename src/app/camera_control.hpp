@@ -20,6 +20,9 @@ class CameraControl {
   void zoom(double factor, glm::dvec2 toward);
   // The same at once, as fingers do.
   void zoom_now(Scene& scene, const View& view, double factor, glm::dvec2 toward);
+  // Turns the picture clockwise by an angle, rad, as two fingers do that twist: as far as the camera looks down. Level
+  // with the horizon it stays, which a twist would only drag along.
+  void roll(Scene& scene, double angle);
   // Which ways the held keys push, each -1..1: to the right, ahead, nearer, turn right, look up.
   struct Push {
     double right = 0.0, ahead = 0.0, nearer = 0.0, turn = 0.0, tilt = 0.0;

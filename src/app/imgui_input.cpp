@@ -37,11 +37,33 @@ ImGuiKey imgui_key(Key key) {
 
 void move(double x, double y) { ImGui::GetIO().AddMousePosEvent(static_cast<float>(x), static_cast<float>(y)); }
 
+void pointer_is_finger(bool finger) {
+  ImGui::GetIO().AddMouseSourceEvent(finger ? ImGuiMouseSource_TouchScreen : ImGuiMouseSource_Mouse);
+}
+
 void leave() { ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX); }
 
 void button(int button, bool down) { ImGui::GetIO().AddMouseButtonEvent(button, down); }
 
 void wheel(double notches) { ImGui::GetIO().AddMouseWheelEvent(0.0F, static_cast<float>(notches)); }
+
+bool navigates(Key key) {
+  switch (key) {
+    case Key::left:
+    case Key::right:
+    case Key::up:
+    case Key::down:
+    case Key::page_up:
+    case Key::page_down:
+    case Key::home:
+    case Key::end:
+    case Key::space:
+    case Key::enter:
+    case Key::escape:
+    case Key::tab: return true;
+    default: return false;
+  }
+}
 
 void key(Key key, bool down, Modifiers modifiers) {
   ImGuiIO& io = ImGui::GetIO();

@@ -6,9 +6,13 @@
 namespace terrella::imgui_input {
 
 void move(double x, double y);
+// What the movements and presses to come are made by.
+void pointer_is_finger(bool finger);
 void leave();
 void button(int button, bool down);
 void wheel(double notches);
+// Whether a key leads from widget to widget, or presses one.
+bool navigates(Key key);
 void key(Key key, bool down, Modifiers modifiers);
 void text(unsigned codepoint);
 

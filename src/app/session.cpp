@@ -28,6 +28,9 @@ double seconds_by_the_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// In an upright window, camera.fov is that of its width: the planet would be twice as wide as a phone.
+double field_of(double width, double height) { return std::max(1.0, height / width); }
+
 }  // namespace
 
 struct Session::PanelPainter {
@@ -40,6 +43,7 @@ struct Session::PanelPainter {
 Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContext()) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   style_panel(static_cast<float>(scale_));
   history_.start({document_, opened_});
 }
@@ -60,11 +64,14 @@ void Session::context_lost() {
   renderer_.reset();
 }
 
-void Session::resize(int width, int height, double scale) {
-  if (scale != scale_) {
-    style_panel(static_cast<float>(scale));
+void Session::resize(int width, int height, double scale, bool fingers) {
+  const bool below = panel_lies_below(width, height, fingers), large_rows = fingers || below;
+  if (scale != scale_ || large_rows != large_rows_) {
+    style_panel(static_cast<float>(scale), large_rows);
     if (painter_) ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the font has another size; made anew when next drawn
   }
+  panel_.put_below(below);
+  large_rows_ = large_rows;
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   scale_ = scale;
@@ -82,6 +89,9 @@ View Session::view() const {
   view.width = std::clamp(static_cast<int>(width_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.seconds = seconds_;
+  view.field = field_of(width_, height_);
+  // Into the middle of what a sheet leaves free.
+  if (panel_shown_) view.shift.y = -0.5 * double{panel_.covered_below()} * view.height / (height_ * scale_);
   return view;
 }
 
@@ -110,6 +120,7 @@ void Session::pointer_button(Button button, bool down) {
   if (down && panel_shown_ && renderer_) run_panel();
   imgui_input::button(static_cast<int>(button), down);
   panel_frames_ = 3;
+  tab_leads_out_ = false;
   if (!down) {
     if (drag_ == Drag::turn) camera_.release(now_ - last_drag_time_);
     drag_ = Drag::none;
@@ -125,6 +136,8 @@ void Session::pointer_button(Button button, bool down) {
   drag_ = look ? Drag::look : Drag::turn;
   last_drag_time_ = now_;
 }
+
+void Session::pointer_is_finger(bool finger) { imgui_input::pointer_is_finger(finger); }
 
 void Session::pointer_left() {
   imgui_input::leave();
@@ -142,27 +155,45 @@ void Session::wheel(double notches) {
   }
 }
 
-void Session::pinch(double factor, double dx, double dy, double x, double y) {
+void Session::pinch(double factor, double twist, double dx, double dy, double x, double y) {
   drag_ = Drag::none;
   const glm::dvec2 middle = to_pixels({x, y});
   if (std::isfinite(factor) && factor > 0.0)
     camera_.zoom_now(document_.scene, view(), std::clamp(factor, 0.2, 5.0), middle);
+  if (std::isfinite(twist)) camera_.roll(document_.scene, twist);
   camera_.look(document_.scene, view(), to_pixels({dx, dy}));
   scene_was_changed();
 }
 
-void Session::key(Key key, bool down, Modifiers modifiers) {
+// While a widget of the panel has the keyboard, these lead from one to the next, and press them.
+bool Session::is_for_panel(Key key) const {
+  if (!panel_shown_) return false;
+  if (ImGui::GetIO().WantTextInput) return true;
+  return panel_.has_keyboard() && imgui_input::navigates(key);
+}
+
+bool Session::lead_into_panel() {
+  if (!panel_shown_ || tab_leads_out_) return false;
+  panel_.take_keyboard();
+  return true;
+}
+
+bool Session::key(Key key, bool down, Modifiers modifiers) {
   modifiers_ = modifiers;
-  imgui_input::key(key, down, modifiers);
   panel_frames_ = 3;
-  const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
+  const bool typing = is_for_panel(key);
+  const bool used = key != Key::unknown && (key != Key::tab || typing || (down && lead_into_panel()));
+  // Where nothing of the panel has the keyboard, arrows must not wake what had it last.
+  if (typing || !down || !imgui_input::navigates(key) || key == Key::escape) imgui_input::key(key, down, modifiers);
   if (down && !typing && modifiers.control) {
     if (key == Key::z) modifiers.shift ? redo() : undo();
     if (key == Key::y) redo();
   }
   if (down && !typing && !modifiers.control) {
-    keys_down_.insert(key);
-    keys_tapped_.insert(key);
+    const bool again = !keys_down_.insert(key).second;  // a key held down repeats
+    const bool for_screen = key == Key::f && modifiers.shift;
+    if (!for_screen) keys_tapped_.insert(key);
+    if (for_screen && !again && host_.fill_screen) host_.fill_screen();
     if (key == Key::space) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
     if (key == Key::c) compare(true);
@@ -173,9 +204,11 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
   const bool pushed = camera_.pushed();
   update_pushes();
   if (camera_.pushed() && !pushed) go_on_by(History::Means::keys);
+  return used;
 }
 
 void Session::keys_left() {
+  tab_leads_out_ = false;
   keys_down_.clear();
   modifiers_ = {};
   compare(false);
@@ -218,7 +251,7 @@ void Session::update_pushes() {
   push.ahead = held(Key::up, Key::w) - held(Key::down, Key::s);
   push.nearer = held(Key::plus, Key::plus) - held(Key::minus, Key::minus);
   push.turn = held(Key::e, Key::e) - held(Key::q, Key::q);
-  push.tilt = held(Key::r, Key::page_up) - held(Key::f, Key::page_down);
+  push.tilt = held(Key::r, Key::page_up) - held(modifiers_.shift ? Key::page_down : Key::f, Key::page_down);
   camera_.push(push);
 }
 
@@ -327,7 +360,11 @@ void Session::run_panel() {
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
+  const float covered = panel_.covered_below();
+  const bool had_keyboard = panel_.has_keyboard();
   const PanelWishes wishes = panel_.draw(document_, facts());
+  if (panel_.covered_below() != covered) planet_stale_ = true;
+  if (had_keyboard && !panel_.has_keyboard()) tab_leads_out_ = ImGui::IsKeyDown(ImGuiKey_Escape);
   ImGui::Render();
   obey(wishes);
 }
@@ -351,6 +388,7 @@ void Session::obey(const PanelWishes& wishes) {
   if (wishes.save_json && host_.save_json) host_.save_json(to_json(document_));
   if (wishes.open_json && host_.open_json) host_.open_json();
   if (wishes.save_picture && host_.save_picture) host_.save_picture();
+  if (wishes.fill_screen && host_.fill_screen) host_.fill_screen();
   if (wishes.dismiss_notices) notices_.clear();
 }
 
@@ -360,6 +398,7 @@ PanelFacts Session::facts() const {
   facts.seconds = seconds_;
   facts.paused = paused_;
   facts.comparing = comparing_;
+  facts.can_fill_screen = host_.fill_screen != nullptr;
   facts.can_undo = history_.can_undo();
   facts.can_redo = history_.can_redo();
   facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;
@@ -442,6 +481,7 @@ void Session::set_seconds(double seconds) {
 void Session::show_panel(bool shown) {
   panel_shown_ = shown;
   if (!shown) hand_on_value_ = false;
+  if (panel_.covered_below() > 0.0F) planet_stale_ = true;
   panel_frames_ = 3;
 }
 
@@ -472,6 +512,7 @@ Image Session::picture(int width, int height, bool transparent) {
   options.width = width;
   options.height = height;
   options.seconds = seconds_;
+  options.field = field_of(width, height);
   options.transparent = transparent;
   return take_picture(*renderer_, document_.scene, options);
 }

@@ -31,6 +31,7 @@ class Session {
     std::function<void(const std::string&)> save_json;  // offers a file
     std::function<void()> open_json;                    // asks for a file; comes back through load_json
     std::function<void()> save_picture;                 // offers a picture of the window
+    std::function<void()> fill_screen;                  // the whole one, or back; empty where that cannot be
   };
 
   explicit Session(Host host);
@@ -43,16 +44,22 @@ class Session {
   // Everything on the GPU is gone. The scene is not.
   void context_lost();
 
-  // points: size of the window or canvas; scale: pixels per point.
-  void resize(int width, int height, double scale);
+  // points: size of the window or canvas; scale: pixels per point; fingers: they are what points here, not a mouse.
+  void resize(int width, int height, double scale, bool fingers = false);
+
+  // What the next movements and presses are made by.
+  void pointer_is_finger(bool finger);
 
   void pointer_moved(double x, double y);
   void pointer_button(Button button, bool down);
   void pointer_left();  // the window
   void wheel(double notches);
-  // Two fingers: factor of their distance, movement of their middle, around a place.
-  void pinch(double factor, double dx, double dy, double x, double y);
-  void key(Key key, bool down, Modifiers modifiers);
+  // Two fingers: factor of their distance, twist of the line through them (rad, clockwise), movement of their middle,
+  // around a place.
+  void pinch(double factor, double twist, double dx, double dy, double x, double y);
+  // Returns whether it was of use here. Tab is not once the panel was left by Escape, so that it leads out of the
+  // planet.
+  bool key(Key key, bool down, Modifiers modifiers);
   void keys_left();  // the keyboard has gone elsewhere: none is held any more
   void text(unsigned codepoint);
   void pasted(const std::string& text);
@@ -93,6 +100,8 @@ class Session {
   enum class OnPanel { nothing_new, press, wheel };  // a hand, since the panel last changed the scene
   struct PanelPainter;
 
+  bool is_for_panel(Key key) const;
+  bool lead_into_panel();
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
@@ -126,6 +135,7 @@ class Session {
 
   int width_ = 1280, height_ = 720;  // points
   double scale_ = 1.0;
+  bool large_rows_ = false;  // for fingers
   double seconds_ = 0.0;
   bool paused_ = false;
   bool panel_shown_ = true;
@@ -138,6 +148,7 @@ class Session {
   std::set<Key> keys_tapped_;  // since the camera last moved: a tap may be shorter than a frame
   Modifiers modifiers_;
   bool hand_on_value_ = false;
+  bool tab_leads_out_ = false;  // the panel was left by Escape
   OnPanel on_panel_ = OnPanel::nothing_new;
   bool comparing_ = false;
 

@@ -20,7 +20,7 @@ View view_of(const StillOptions& options, const Tile& tile) {
   view.width = tile.width;
   view.height = tile.height;
   view.seconds = options.seconds;
-  view.part = static_cast<double>(tile.height) / options.height;
+  view.field = options.field * tile.height / options.height;
   view.shift = 0.5 * glm::dvec2(options.width, options.height) -
                (glm::dvec2(tile.x, tile.y) + 0.5 * glm::dvec2(tile.width, tile.height));
   return view;

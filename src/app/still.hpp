@@ -11,6 +11,7 @@ struct StillOptions {
   double seconds = 0.0;
   int samples = 1;           // along each side of a pixel, >= 1
   int largest_tile = 2048;   // pixels along a side; larger pictures are drawn in several parts
+  double field = 1.0;        // as of View, of the whole picture
   bool transparent = false;  // pictures without stars and sun, with opacity
 };
 

@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "panel/finger_scroll.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
 namespace {
 
-constexpr double longest_time = 1e9;  // s; about thirty years
+constexpr double longest_time = 1e9;    // s; about thirty years
+constexpr float handle_width = 120.0F;  // points
 
 // Right-aligned in its line.
 void continue_at_right(float width) {
@@ -23,7 +25,7 @@ void preset_list(Sheet& sheet) {
   sheet.place("preset");
   if (!open) return tooltip(text_of(sheet.preset->about, '.'));
   for (const Preset& preset : presets()) {
-    if (ImGui::Selectable(preset.title.c_str(), &preset == sheet.preset)) {
+    if (choice_row(preset.title, &preset == sheet.preset)) {
       sheet.start_from(preset);
       sheet.wishes.preset_chosen = true;
     }
@@ -40,32 +42,6 @@ void title(const Sheet& sheet, float room) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(ImGui::CalcTextSize(text).x < room ? text : "");
   sheet.place(comparing ? "title/compared" : "title");
-}
-
-void title_row(Sheet& sheet) {
-  const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
-  const float square = ImGui::GetFrameHeight(), width = std::min(points(46.0F), 0.22F * room);
-  const float buttons = 3.0F * width + square + 3.0F * space;
-  title(sheet, room - buttons);
-  continue_at_right(buttons);
-  const auto button = [&](const char* name, const char* label, const char* help, bool enabled = true) {
-    ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(label, {label[1] == '\0' ? square : width, 0.0F});
-    ImGui::EndDisabled();
-    sheet.place(name);
-    tooltip(help);
-    ImGui::SameLine();
-    return pressed;
-  };
-  const PanelFacts& facts = sheet.facts;
-  if (button("undo", "Undo", "Takes the last change back (Ctrl+Z).", facts.can_undo)) sheet.wishes.undo = true;
-  if (button("redo", "Redo", "Brings back what was undone (Ctrl+Shift+Z).", facts.can_redo)) sheet.wishes.redo = true;
-  bool& keys_shown = sheet.memory.keys_shown;
-  if (button("keys", "?", "Lists what keys and mouse do (?).")) keys_shown = !keys_shown;
-  if (button("fold", "Fold", "Folds the panel to a button in this corner. The key H hides it, and brings it back.")) {
-    sheet.memory.folded = true;
-  }
-  ImGui::NewLine();
 }
 
 // Buttons of one width, three in a line.
@@ -85,11 +61,12 @@ class ButtonGrid {
     return pressed;
   }
 
-  // Says that it has copied, until the pointer leaves it.
+  // Says that it has copied, until the pointer leaves it, or a finger comes again.
   bool copy_button(const char* name, const char* label, const char* help) {
     std::string_view& copied = sheet_.memory.copied;
     const bool pressed = button(name, copied == name ? "Copied" : label, help);
-    if (copied == name && !ImGui::IsItemHovered()) copied = {};
+    const bool left = by_finger() ? ImGui::IsMouseDown(ImGuiMouseButton_Left) : !ImGui::IsItemHovered();
+    if (copied == name && left) copied = {};
     if (pressed) copied = name;
     return pressed;
   }
@@ -111,8 +88,40 @@ std::string in_latin1(std::string text) {
 
 }  // namespace
 
+void title_row(Sheet& sheet) {
+  const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
+  const float square = ImGui::GetFrameHeight(), width = std::min(points(46.0F), 0.22F * room);
+  const bool can_fill = sheet.facts.can_fill_screen;
+  const float buttons = 3.0F * width + square + 3.0F * space + (can_fill ? square + space : 0.0F);
+  title(sheet, room - buttons);
+  continue_at_right(buttons);
+  const auto button = [&](const char* name, const char* label, const char* help, bool enabled = true) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, {label[1] == '\0' ? square : width, 0.0F});
+    ImGui::EndDisabled();
+    sheet.place(name);
+    tooltip(help);
+    ImGui::SameLine();
+    return pressed;
+  };
+  const PanelFacts& facts = sheet.facts;
+  if (button("undo", "Undo", "Takes the last change back (Ctrl+Z).", facts.can_undo)) sheet.wishes.undo = true;
+  if (button("redo", "Redo", "Brings back what was undone (Ctrl+Shift+Z).", facts.can_redo)) sheet.wishes.redo = true;
+  bool& keys_shown = sheet.memory.keys_shown;
+  if (button("keys", "?", "Lists what keys and mouse do (?).")) keys_shown = !keys_shown;
+  if (can_fill) {
+    if (full_screen_button("fill_screen")) sheet.wishes.fill_screen = true;
+    sheet.place("fill_screen");
+    tooltip("Fills the screen, or leaves it (Shift+F).");
+    ImGui::SameLine();
+  }
+  if (button("fold", "Fold", "Folds the panel to a button. The key H hides it, and brings it back.")) {
+    sheet.memory.folded = true;
+  }
+  ImGui::NewLine();
+}
+
 void head_section(Sheet& sheet) {
-  title_row(sheet);
   preset_list(sheet);
 
   ButtonGrid grid(sheet);
@@ -129,7 +138,8 @@ void head_section(Sheet& sheet) {
 }
 
 void folded_section(Sheet& sheet) {
-  if (ImGui::Button("Panel")) sheet.memory.folded = false;
+  const float width = sheet.memory.below ? points(handle_width) : 0.0F;
+  if (ImGui::Button("Panel", {width, 0.0F})) sheet.memory.folded = false;
   sheet.place("unfold");
 }
 

@@ -5,7 +5,9 @@
 
 namespace terrella {
 
-// Title, list of presets, buttons.
+// Undo, redo, help, full screen where there is one, and fold.
+void title_row(Sheet& sheet);
+// List of presets, buttons.
 void head_section(Sheet& sheet);
 // All there is of a folded panel.
 void folded_section(Sheet& sheet);

@@ -12,7 +12,7 @@ constexpr KeyLine planet_lines[] = {
     {"Arrows, W A S D", "move over the ground"},
     {"Q and E", "turn left, right"},
     {"R and F, Page Up and Down", "look up, down"},
-    {"One finger, two fingers", "turn the planet; nearer, away and look around"},
+    {"One finger, two fingers", "turn the planet; nearer, away, twist and look around"},
 };
 
 constexpr KeyLine scene_lines[] = {
@@ -25,8 +25,11 @@ constexpr KeyLine scene_lines[] = {
 
 constexpr KeyLine panel_lines[] = {
     {"H", "hide the panel, show it"},
+    {"Shift+F", "fill the screen, leave it"},
     {"/", "search a parameter"},
-    {"Escape", "end the search, close this list"},
+    {"Tab", "go into the panel, and from row to row"},
+    {"Arrows, Enter", "in the panel: go on, press"},
+    {"Escape", "end the search, close this list, leave the panel"},
     {"?", "show this list, close it"},
 };
 
@@ -35,6 +38,7 @@ constexpr KeyLine slider_lines[] = {
     {"Wheel", "change it in small steps"},
     {"Ctrl with drag or wheel", "a tenth as fast"},
     {"Double click, Ctrl+click", "type the value"},
+    {"Left and Right, Enter", "by keyboard: small steps, type the value"},
 };
 
 constexpr KeyGroup groups_of_keys[] = {

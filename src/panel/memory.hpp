@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,7 +23,7 @@ struct Grip {
   double before = 0.0;    // its value before that
   double position = 0.0;  // where it is dragged; beyond 0..1 the pointer is beside it
   float x = 0.0F;         // of the pointer, pixels
-  bool stays = false;     // pressed with Ctrl, and not moved yet
+  bool stays = false;     // pressed with Ctrl or by a finger, and not moved yet
 };
 
 // The wheel over the panel.
@@ -44,10 +45,33 @@ struct Search {
   bool wanted = false;  // the field shall have the keyboard
 };
 
+// A finger on the panel.
+struct FingerScroll {
+  unsigned window = 0;  // that it was put on, by Dear ImGui's number
+  bool decided = false, scrolls = false;
+};
+
+// Who has the keyboard.
+struct Keyboard {
+  bool wanted = false;  // the panel shall have it
+  bool here = false;    // a widget of the panel has it, and is marked
+  bool busy = false;    // an open list or a value being changed has the next Escape
+};
+
+struct PanelPlace {
+  bool below = false;   // it is a sheet under the planet, not at the left edge
+  bool folded = false;  // to a button
+};
+
 struct PanelMemory {
-  bool folded = false;      // to a button in its corner
+  bool below = false;
+  std::optional<bool> folded;  // as a hand has left it
+  [[nodiscard]] PanelPlace place() const { return {below, folded.value_or(below)}; }
+
   bool keys_shown = false;  // the list of keys
   Typing typing;
+  FingerScroll finger;
+  Keyboard keyboard;
   SliderHand hand;
   Search search;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it

@@ -2,14 +2,17 @@
 
 #include <imgui.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "panel/facts_view.hpp"
+#include "panel/finger_scroll.hpp"
 #include "panel/head.hpp"
+#include "panel/keyboard.hpp"
 #include "panel/keys_window.hpp"
 #include "panel/parameter_row.hpp"
+#include "panel/place.hpp"
 #include "panel/search.hpp"
 #include "panel/search_field.hpp"
 #include "panel/sheet.hpp"
@@ -18,22 +21,6 @@
 
 namespace terrella {
 namespace {
-
-constexpr float panel_width = 340.0F, panel_margin = 8.0F;  // points
-constexpr float widest_share = 0.9F;                        // of the window
-
-bool begin_window(bool folded) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float margin = points(panel_margin);
-  const float width = folded ? 0.0F : std::min(points(panel_width), widest_share * display.x);
-  ImGui::SetNextWindowPos({margin, margin});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0F},
-                                      {folded ? display.x : width, std::max(margin, display.y - 2.0F * margin)});
-  return ImGui::Begin("panel", nullptr,
-                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
-                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-}
 
 // Returns whether the group is open.
 bool group_header(Sheet& sheet, const Group& group) {
@@ -90,20 +77,31 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   const Preset* preset = find_preset(document.preset);
   CHECK(preset != nullptr, "a document of the preset ", document.preset);
   Sheet sheet{document, preset, facts, memory_, places};
-  const bool folded = memory_.folded;
-  const bool visible = begin_window(folded);
-  if (visible && folded) folded_section(sheet);
-  if (visible && !folded) {
+  const PanelPlace place = memory_.place();  // a press folds it in the next frame
+  const bool visible = begin_panel_window(place);
+  if (std::exchange(memory_.keyboard.wanted, false)) terrella::take_keyboard();
+  if (visible && place.folded) folded_section(sheet);
+  if (visible && !place.folded) {
+    title_row(sheet);
+    begin_rows(place);
     head_section(sheet);
     notices_section(sheet);
     clock_section(sheet);
     ImGui::Spacing();
     search_field(sheet);
     sections_below_search(sheet);
+    end_rows(place);
   }
   note_scrolling(memory_.hand.wheel);
-  ImGui::End();
+  end_panel_window();
   keys_window(sheet);
+  scroll_by_finger(memory_.finger);
+  give_back_keyboard(memory_.keyboard, memory_.keys_shown);
+  if (memory_.place().folded != place.folded) {
+    forget_focus();
+    if (memory_.keyboard.here) take_keyboard();
+  }
+  covered_below_ = height_of_sheet(memory_.place());
   return sheet.wishes;
 }
 

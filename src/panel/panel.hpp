@@ -21,6 +21,7 @@ struct PanelFacts {
   bool paused = false;
   bool can_undo = false, can_redo = false;
   bool comparing = false;  // the planet is shown as it was opened
+  bool can_fill_screen = false;
   double frame_ms = 0.0;
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;
@@ -40,6 +41,7 @@ struct PanelWishes {
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false, save_picture = false;
   bool dismiss_notices = false;
+  bool fill_screen = false;  // or leave it
 
   bool operator==(const PanelWishes&) const = default;
 };
@@ -53,22 +55,40 @@ struct WidgetPlace {
 
 class Panel {
  public:
-  // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window. Where `places` is given,
-  // the place of every widget drawn is added to it.
+  // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window, or its lower one. Where
+  // `places` is given, the place of every widget drawn is added to it.
   PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
+
+  // Whether it is a sheet under the planet (see panel_lies_below) or stands at the left edge. A sheet is folded at
+  // first.
+  void put_below(bool below) { memory_.below = below; }
+  // Height (pixels) of what it hides at the lower edge of the window since it was drawn last.
+  [[nodiscard]] float covered_below() const { return covered_below_; }
 
   // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
   void start_search();
+
+  // Leads the keyboard into the panel, as the next frame is drawn: from then on Tab and arrows go from widget to
+  // widget, Enter presses them, and Escape gives the keyboard back. Needs ImGuiConfigFlags_NavEnableKeyboard.
+  void take_keyboard() { memory_.keyboard.wanted = true; }
+  // Whether it has been there since the last frame.
+  [[nodiscard]] bool has_keyboard() const { return memory_.keyboard.here; }
 
   // Shows the list of keys, or closes it.
   void toggle_keys() { memory_.keys_shown = !memory_.keys_shown; }
 
  private:
   PanelMemory memory_;
+  float covered_below_ = 0.0F;
 };
 
-// Colours, spacing and font for the current context of ImGui, at a scale of pixels per point. Call when the context is
-// made or the scale changes, outside of a frame; a texture made of the old font must be made anew.
-void style_panel(float scale);
+// Whether the panel belongs under the planet: in a narrow window, and on a phone or tablet that is held upright.
+// width, height: of the window, points; fingers: they are what points.
+bool panel_lies_below(int width, int height, bool fingers);
+
+// Colours, spacing and font for the current context of ImGui, at a scale of pixels per point. For fingers all rows are
+// at least 44 points high. Call when the context is made or one of these changes, outside of a frame; a texture made of
+// the old font must be made anew.
+void style_panel(float scale, bool fingers = false);
 
 }  // namespace terrella

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "panel/keyboard.hpp"
 #include "panel/quantity.hpp"
 #include "panel/slider_hand.hpp"
 #include "panel/slider_range.hpp"
@@ -49,6 +50,7 @@ void number_field(Sheet& sheet, const Parameter& parameter) {
   const double value = number_of(sheet, parameter);
   const auto typed = typing_field(sheet.memory.typing);
   sheet.place(parameter.path);
+  if (sheet.memory.typing.path.empty() && keyboard_is_here()) focus_again("value");  // the slider comes back
   if (!typed) return;
   if (const auto number = read_quantity(*typed, parameter, value)) sheet.set(parameter, *number);
 }
@@ -107,7 +109,7 @@ void choice_list(Sheet& sheet, const Parameter& parameter) {
   if (!open) return;
   for (const std::string_view choice : parameter.choices) {
     const std::string name(choice);
-    if (ImGui::Selectable(name.c_str(), name == chosen)) sheet.set(parameter, name);
+    if (choice_row(name, name == chosen)) sheet.set(parameter, name);
     sheet.place(parameter.path, "/" + name);
   }
   ImGui::EndCombo();
@@ -138,7 +140,9 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
   quiet_text(text_of(parameter.path, " = ", text_of_value(parameter, sheet.document.scene)));
   if (differs) quiet_text(text_of("In the preset: ", text_of_value(parameter, sheet.preset->scene)));
   if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), '.'));
-  if (has_slider(parameter)) quiet_text("Double click to type. The wheel goes in small steps; Ctrl is finer.");
+  const char* const by_hand = "Double click to type. The wheel goes in small steps; Ctrl is finer.";
+  const char* const by_key = "Enter to type. Left and Right go in small steps; Ctrl is finer.";
+  if (has_slider(parameter)) quiet_text(keyboard_is_here() ? by_key : by_hand);
   end_side_tooltip();
 }
 
@@ -156,6 +160,8 @@ void parameter_row(Sheet& sheet, const Parameter& parameter) {
   ImGui::PopStyleColor();
   ImGui::SameLine(ImGui::GetCursorPosX() + points(label_width), 0.0F);
   value_widget(sheet, parameter, width - points(label_width) - reset_button_width());
+  const bool focused = keyboard_is_here() && ImGui::IsItemFocused() && !ImGui::IsItemActive();
+  if (focused) explain(sheet, parameter, differs);
   if (differs) {
     ImGui::SameLine(ImGui::GetCursorPosX() + width - reset_button_width(), 0.0F);
     if (reset_button("reset")) sheet.reset(parameter);
@@ -163,7 +169,8 @@ void parameter_row(Sheet& sheet, const Parameter& parameter) {
   }
 
   const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
-  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to)) explain(sheet, parameter, differs);
+  const bool hovered = !keyboard_is_here() && ImGui::IsWindowHovered();
+  if (hovered && ImGui::IsMouseHoveringRect(from, to)) explain(sheet, parameter, differs);
   ImGui::PopID();
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panel/finger_scroll.hpp"
+#include "panel/keyboard.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -20,16 +22,23 @@ void press(Grip& grip, std::string_view path, double position, double value) {
   grip = {};
   grip.path = path;
   grip.before = value;
-  grip.stays = fine_wanted();
+  grip.stays = fine_wanted() || by_finger();
   grip.x = ImGui::GetIO().MousePos.x;
   grip.position = grip.stays ? position : position_on_bar(grip.x);
+}
+
+// A finger may as well be about to scroll.
+bool has_moved() {
+  if (!by_finger()) return ImGui::IsMouseDragging(ImGuiMouseButton_Left, points(rest_radius));
+  const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, finger_rest());
+  return moved.x != 0.0F && std::fabs(moved.x) >= std::fabs(moved.y);
 }
 
 // Returns whether the slider follows the hand in this frame.
 bool drag(Grip& grip) {
   const float x = ImGui::GetIO().MousePos.x;
   if (!ImGui::IsMousePosValid()) return false;
-  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, points(rest_radius))) grip.stays = false;
+  if (has_moved()) grip.stays = false;
   const double moved = position_on_bar(x) - position_on_bar(grip.x);
   grip.x = x;
   if (!grip.stays) grip.position += moved * (fine_wanted() ? fine : 1.0);
@@ -56,8 +65,11 @@ double turned(Wheel& wheel, std::string_view path) {
 SliderWish hand_on_slider(SliderHand& hand, std::string_view path, double position, double value) {
   SliderWish wish;
   Grip& grip = hand.grip;
-  wish.steps = turned(hand.wheel, path);
-  if (ImGui::IsItemActivated() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && grip.path == path) {
+  wish.steps = turned(hand.wheel, path) + steps_by_arrows();
+  if (pressed_by_key()) {
+    wish.type = value;
+    grip = {};
+  } else if (ImGui::IsItemActivated() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && grip.path == path) {
     wish.type = grip.before;
     grip = {};
   } else if (ImGui::IsItemActivated()) {
@@ -65,7 +77,11 @@ SliderWish hand_on_slider(SliderHand& hand, std::string_view path, double positi
   }
   if (grip.path != path) return wish;
   if (ImGui::IsItemActive() && drag(grip)) wish.position = std::clamp(grip.position, 0.0, 1.0);
-  if (ImGui::IsItemDeactivated() && grip.stays) wish.type = value;
+  // Not where the press was taken away, to scroll or for a second finger.
+  if (ImGui::IsItemDeactivated() && grip.stays && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+    if (by_finger() && ImGui::IsMousePosValid()) wish.position = std::clamp(position_on_bar(grip.x), 0.0, 1.0);
+    if (!by_finger()) wish.type = value;
+  }
   return wish;
 }
 

@@ -8,7 +8,9 @@
 namespace terrella {
 namespace {
 
-constexpr float font_size = 13.0F;  // points, and the size for which Dear ImGui's font was drawn
+constexpr float font_size = 13.0F;      // points, and the size for which Dear ImGui's font was drawn
+constexpr float finger_font = 15.0F;    // points; a phone is small, and nearer to the eye than a desk's screen
+constexpr float finger_height = 44.0F;  // points, of whatever a finger shall hit
 
 // What lies under text, lies nearly opaque: contrast holds over white clouds and black space alike.
 constexpr float window_opacity = 0.9F;
@@ -30,6 +32,7 @@ void set_colors(ImVec4* colors) {
   colors[ImGuiCol_FrameBg] = field;
   colors[ImGuiCol_FrameBgHovered] = colors[ImGuiCol_FrameBgActive] = field_lit;
   colors[ImGuiCol_CheckMark] = accent;
+  colors[ImGuiCol_NavHighlight] = accent;
   colors[ImGuiCol_SliderGrab] = fill;
   colors[ImGuiCol_SliderGrabActive] = fill_lit;
   colors[ImGuiCol_Button] = rgb(0x2b3744);
@@ -44,9 +47,9 @@ void set_colors(ImVec4* colors) {
   colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = line;
 }
 
-void set_font(float scale) {
+void set_font(float points, float scale) {
   ImFontConfig config;
-  config.SizePixels = std::round(font_size * scale);
+  config.SizePixels = std::round(points * scale);
   config.OversampleH = config.OversampleV = 1;
   config.PixelSnapH = true;
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
@@ -56,7 +59,7 @@ void set_font(float scale) {
 
 }  // namespace
 
-void style_panel(float scale) {
+void style_panel(float scale, bool fingers) {
   ImGuiStyle style;
   ImGui::StyleColorsDark(&style);
   set_colors(style.Colors);
@@ -73,12 +76,16 @@ void style_panel(float scale) {
   style.WindowBorderSize = 0.0F;
   style.PopupBorderSize = 1.0F;
   style.SeparatorTextBorderSize = 1.0F;
+  style.SelectableTextAlign = {0.0F, 0.5F};
   style.DisabledAlpha = 0.55F;
+  if (fingers) style.ScrollbarSize = 6.0F;  // it only shows where one is: fingers scroll by the rows
   style.ScaleAllSizes(scale);
+  // Not before: scaling cuts to whole pixels.
+  if (fingers) style.FramePadding.y = std::ceil(0.5F * (finger_height * scale - std::round(finger_font * scale)));
   // The session draws only what has changed: a tooltip that waits would never come.
   style.HoverDelayShort = style.HoverDelayNormal = style.HoverStationaryDelay = 0.0F;
   ImGui::GetStyle() = style;
-  set_font(scale);
+  set_font(fingers ? finger_font : font_size, scale);
 }
 
 }  // namespace terrella

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "panel/keyboard.hpp"
+
 namespace terrella {
 namespace {
 
@@ -43,6 +45,20 @@ void draw_turn_back(ImVec2 centre, float radius, unsigned color) {
                          {tail.x + head, tail.y + head * 0.5F}, color);
 }
 
+void draw_corners(ImVec2 centre, float reach, unsigned color) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float arm = 0.6F * reach;
+  for (const float x : {-1.0F, 1.0F}) {
+    for (const float y : {-1.0F, 1.0F}) {
+      const ImVec2 corner{centre.x + x * reach, centre.y + y * reach};
+      list.PathLineTo({corner.x - x * arm, corner.y});
+      list.PathLineTo(corner);
+      list.PathLineTo({corner.x, corner.y - y * arm});
+      list.PathStroke(color, 0, points(1.5F));
+    }
+  }
+}
+
 }  // namespace
 
 float points(float count) { return count * ImGui::GetFontSize() / default_font_size; }
@@ -52,6 +68,7 @@ void bar(const char* id, double position, const std::string& text, float width) 
   const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
   ImGui::InvisibleButton(id, {width, to.y - from.y});
   draw_bar(from, to, position, text);
+  mark_focus();
 }
 
 double position_on_bar(float x) {
@@ -67,7 +84,24 @@ bool reset_button(const char* id) {
   const bool pressed = ImGui::InvisibleButton(id, {side, side});
   const unsigned color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_CheckMark);
   draw_turn_back({from.x + side * 0.5F, from.y + side * 0.5F}, side * 0.24F, color);
+  mark_focus();
   return pressed;
+}
+
+bool full_screen_button(const char* id) {
+  const float side = ImGui::GetFrameHeight();
+  ImGui::PushID(id);
+  const bool pressed = ImGui::Button("##", {side, side});
+  ImGui::PopID();
+  const ImVec2 from = ImGui::GetItemRectMin();
+  draw_corners({from.x + 0.5F * side, from.y + 0.5F * side}, points(5.0F), ImGui::GetColorU32(ImGuiCol_Text));
+  return pressed;
+}
+
+bool choice_row(const std::string& text, bool chosen) {
+  // A Selectable adds the space between rows to its height.
+  const float height = ImGui::GetFrameHeight() - ImGui::GetStyle().ItemSpacing.y;
+  return ImGui::Selectable(text.c_str(), chosen, ImGuiSelectableFlags_None, {0.0F, height});
 }
 
 void quiet_text(const std::string& text) {
@@ -92,7 +126,7 @@ void two_columns(float share, const std::function<void()>& left, const std::func
 void begin_side_tooltip() {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + points(6.0F);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float y = ImGui::GetIO().MousePos.y;
+  const float y = keyboard_is_here() ? ImGui::GetItemRectMin().y : ImGui::GetIO().MousePos.y;
   // On a narrow window it goes where Dear ImGui sees fit.
   if (right + points(tooltip_width) < display.x) {
     ImGui::SetNextWindowPos({right, y}, ImGuiCond_Always, {0.0F, y > display.y * 0.6F ? 1.0F : 0.0F});

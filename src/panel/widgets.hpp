@@ -19,13 +19,20 @@ bool reset_button(const char* id);
 // How wide that is.
 float reset_button_width();
 
+// A square button with the corners of a screen.
+bool full_screen_button(const char* id);
+
+// An entry of an open list, as high as a row of the panel.
+bool choice_row(const std::string& text, bool chosen);
+
 // A line of text in the colour of what matters less, wrapped.
 void quiet_text(const std::string& text);
 
 // Two things side by side, the left one in a share of the width. Text in both is wrapped.
 void two_columns(float share, const std::function<void()>& left, const std::function<void()>& right);
 
-// Opens a tooltip beside the panel, where it hides none of its sliders, at the height of the pointer. Close it with
+// Opens a tooltip beside the panel, where it hides none of its sliders, at the height of the pointer, or of the widget
+// drawn last that has the keyboard. Close it with
 // end_side_tooltip().
 void begin_side_tooltip();
 void end_side_tooltip();

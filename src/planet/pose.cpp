@@ -88,7 +88,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.forward = std::cos(pitch) * ahead + std::sin(pitch) * down_from;
   pose.right = std::cos(heading) * east - std::sin(heading) * north;
   pose.up = glm::cross(pose.right, pose.forward);
-  pose.tan_half_fov = view.part * std::tan(0.5 * glm::radians(camera.fov));
+  pose.tan_half_fov = view.field * std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
   set_depth_range(pose, top_radius(scene), rings_radius(scene));
   return pose;

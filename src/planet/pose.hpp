@@ -15,8 +15,9 @@ struct View {
   int width = 1280;       // pixels, >= 1
   int height = 720;       // pixels, >= 1
   double seconds = 0.0;   // since the scene began
-  glm::dvec2 shift{0.0};  // of all that is seen, in pixels, to the right and down: for several samples a pixel, for tiles
-  double part = 1.0;      // of the camera's field of view that the height covers: less for tiles of a larger picture
+  glm::dvec2 shift{0.0};  // of all that is seen, in pixels right and down: for samples and tiles, or past a panel
+  double field = 1.0;     // tangent of half the angle that the height covers, as a multiple of that of half camera.fov:
+                          // less for tiles of a larger picture, more for upright windows
 };
 
 struct Pose {

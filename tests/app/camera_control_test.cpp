@@ -54,6 +54,30 @@ TEST(CameraControl, KeepsTheGroundUnderTheCursorWhileZooming) {
   EXPECT_LT(glm::distance(before, under_cursor()), 0.03);
 }
 
+TEST(CameraControl, ATwistTurnsThePictureWithTheFingers) {
+  Scene scene;
+  const View view;
+  CameraControl control;
+  const Pose before = pose_of(scene, view);
+  control.roll(scene, 0.3);
+  const Pose after = pose_of(scene, view);
+  EXPECT_NEAR(glm::distance(before.eye, after.eye), 0.0, 1e-12);
+  EXPECT_NEAR(glm::distance(before.forward, after.forward), 0.0, 1e-9);
+  // What was up stands clockwise of it now, to the right.
+  EXPECT_NEAR(glm::dot(before.up, after.right), std::sin(0.3), 1e-9);
+  EXPECT_NEAR(glm::dot(before.up, after.up), std::cos(0.3), 1e-9);
+}
+
+TEST(CameraControl, ATwistLeavesTheHorizonWhereItIs) {
+  Scene scene;
+  CameraControl control;
+  for (const double pitch : {0.0, 30.0}) {
+    scene.camera.pitch = pitch;
+    control.roll(scene, 0.5);
+    EXPECT_EQ(scene.camera.heading, Scene{}.camera.heading);
+  }
+}
+
 TEST(CameraControl, ZoomsDownToWalkingHeightAndNoFurther) {
   for (const char* kind : {"default", "steep"}) {
     Scene scene;
@@ -104,6 +128,7 @@ TEST(CameraControl, KeepsEveryParameterInItsRange) {
   for (int i = 0; i < 2000; ++i) {
     control.drag(scene, view, {places.between(-400.0, 400.0), places.between(-400.0, 400.0)});
     control.look(scene, view, {places.between(-400.0, 400.0), places.between(-400.0, 400.0)});
+    control.roll(scene, places.between(-3.0, 3.0));
     control.zoom_now(scene, view, places.between(0.5, 2.0), {places.between(0.0, 1280.0), places.between(0.0, 720.0)});
     ASSERT_LE(std::fabs(scene.camera.latitude), 90.0);
     ASSERT_LE(std::fabs(scene.camera.longitude), 180.0);

@@ -71,6 +71,7 @@ class SessionTest : public testing::Test {
   Session::Host host() {
     Session::Host host;
     host.scene_changed = [this] { ++changes; };
+    host.fill_screen = [this] { ++screens; };
     return host;
   }
 
@@ -79,11 +80,55 @@ class SessionTest : public testing::Test {
   double now_ = 1.0;
 
  protected:
-  int changes = 0;  // told to the host
+  int changes = 0, screens = 0;  // told to the host
   Session session;
 };
 
 constexpr Modifiers control{false, true}, control_shift{true, true};
+
+TEST_F(SessionTest, ArrowsAreThePlanetsUntilTabLeadsIntoThePanel) {
+  session.show_panel(true);
+  settle();
+  const auto turns = [&] {
+    const SceneDocument before = session.document();
+    session.key(Key::right, true, {});
+    frames(5);
+    session.key(Key::right, false, {});
+    settle();
+    return !(session.document() == before);
+  };
+  EXPECT_TRUE(turns());
+  EXPECT_TRUE(session.key(Key::tab, true, {}));
+  session.key(Key::tab, false, {});
+  settle();
+  EXPECT_FALSE(turns());
+  tap(Key::escape);
+  settle();
+  EXPECT_TRUE(turns());
+  EXPECT_FALSE(session.key(Key::tab, true, {}));  // it leads on, out of the planet
+  session.keys_left();
+  EXPECT_TRUE(session.key(Key::tab, true, {}));  // as it comes back
+  session.show_panel(false);
+  settle();
+  EXPECT_FALSE(session.key(Key::tab, true, {}));
+}
+
+TEST_F(SessionTest, FillsTheScreenOnceAPressAndLeavesTheCameraAlone) {
+  session.set("camera.pitch", "-45");
+  settle();
+  const SceneDocument before = session.document();
+  for (int i = 0; i < 3; ++i) session.key(Key::f, true, {true, false});  // held down, it repeats
+  frames(3);
+  session.key(Key::f, false, {});
+  settle();
+  EXPECT_EQ(screens, 1);
+  EXPECT_EQ(session.document(), before);
+  session.key(Key::f, true, {});
+  frames(3);
+  session.key(Key::f, false, {});
+  EXPECT_EQ(screens, 1);
+  EXPECT_NE(session.document(), before);  // without Shift it looks down
+}
 
 TEST_F(SessionTest, ADragOfThePlanetIsUndoneAndRedoneByKeys) {
   settle();

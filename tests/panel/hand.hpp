@@ -20,6 +20,7 @@ class PanelTest : public testing::Test {
   PanelTest(float width, float height) : context_(ImGui::CreateContext()) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.DisplaySize = {width, height};
     io.DeltaTime = 1.0F / 60.0F;
     style_panel(1.0F);

@@ -20,6 +20,16 @@ std::vector<std::string> faults(const Scene& scene) {
   return sentences;
 }
 
+TEST_F(PanelTest, OffersTheWholeScreenOnlyWhereItCanBeHad) {
+  EXPECT_EQ(count_of("fill_screen"), 0);
+  facts.can_fill_screen = true;
+  frames(2);
+  EXPECT_TRUE(click("fill_screen").fill_screen);
+  const WidgetPlace first = place_of("undo"), last = place_of("fold");
+  EXPECT_LT(place_of("title").right, first.left);
+  EXPECT_LE(last.right, 340.0F);
+}
+
 TEST_F(PanelTest, EveryGroupHasAHeaderAndEveryParameterAWidget) {
   for (const Group& group : groups()) EXPECT_EQ(count_of(group.name), 1) << group.name;
   open_all_groups();

@@ -17,24 +17,60 @@ double contrast(ImVec4 a, ImVec4 b) {
   return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
-ImVec4 over(ImVec4 top, float behind) {
-  const float rest = behind * (1.0F - top.w);
-  return {top.x * top.w + rest, top.y * top.w + rest, top.z * top.w + rest, 1.0F};
+ImVec4 over(ImVec4 top, ImVec4 under) {
+  const auto mixed = [&](float a, float b) { return a * top.w + b * (1.0F - top.w); };
+  return {mixed(top.x, under.x), mixed(top.y, under.y), mixed(top.z, under.z), 1.0F};
+}
+
+ImVec4 over(ImVec4 top, float gray) { return over(top, ImVec4{gray, gray, gray, 1.0F}); }
+
+// Every colour that text has, and all that it stands on.
+struct Writing {
+  ImGuiCol text;
+  std::vector<ImGuiCol> grounds;
+};
+
+const std::vector<Writing>& writings() {
+  static const std::vector<Writing> all{
+      {ImGuiCol_Text,
+       {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+        ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive, ImGuiCol_Header, ImGuiCol_HeaderHovered,
+        ImGuiCol_HeaderActive, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_TextSelectedBg}},
+      // What matters less, and what stands in an empty search field.
+      {ImGuiCol_TextDisabled,
+       {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}},
+      // Names of what differs from the preset, and what was chosen.
+      {ImGuiCol_CheckMark, {ImGuiCol_WindowBg, ImGuiCol_PopupBg}},
+  };
+  return all;
 }
 
 TEST_F(PanelTest, TextIsLegible) {
   const ImVec4* colors = ImGui::GetStyle().Colors;
-  for (const ImGuiCol text : {ImGuiCol_Text, ImGuiCol_TextDisabled, ImGuiCol_CheckMark}) {
-    for (const ImGuiCol ground : {ImGuiCol_WindowBg, ImGuiCol_PopupBg}) {
-      for (const float behind : {0.0F, 1.0F}) {
-        EXPECT_GE(contrast(colors[text], over(colors[ground], behind)), text_contrast) << text << " on " << ground;
+  for (const bool fingers : {false, true}) {
+    style_panel(1.0F, fingers);
+    for (const Writing& writing : writings()) {
+      EXPECT_EQ(colors[writing.text].w, 1.0F) << ImGui::GetStyleColorName(writing.text);
+      for (const ImGuiCol ground : writing.grounds) {
+        for (const float window : {0.0F, 1.0F}) {  // what shows through it: space, clouds
+          const ImVec4 under = over(colors[ImGuiCol_WindowBg], window);
+          const bool window_itself = ground == ImGuiCol_WindowBg || ground == ImGuiCol_PopupBg;
+          const ImVec4 stands_on = window_itself ? over(colors[ground], window) : over(colors[ground], under);
+          EXPECT_GE(contrast(colors[writing.text], stands_on), text_contrast)
+              << ImGui::GetStyleColorName(writing.text) << " on " << ImGui::GetStyleColorName(ground);
+        }
       }
     }
   }
-  for (const ImGuiCol ground : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_Button, ImGuiCol_ButtonHovered,
-                                ImGuiCol_ButtonActive, ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive,
-                                ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_TextSelectedBg}) {
-    EXPECT_GE(contrast(colors[ImGuiCol_Text], colors[ground]), text_contrast) << ground;
+}
+
+TEST_F(PanelTest, WhatHasTheKeyboardIsSeen) {
+  const ImVec4* colors = ImGui::GetStyle().Colors;
+  for (const ImGuiCol ground : {ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Header, ImGuiCol_WindowBg}) {
+    for (const float behind : {0.0F, 1.0F}) {
+      EXPECT_GE(contrast(colors[ImGuiCol_NavHighlight], over(colors[ground], behind)), mark_contrast)
+          << ImGui::GetStyleColorName(ground);
+    }
   }
 }
 

@@ -98,6 +98,34 @@ TEST(ClipFromEye, AgreesWithTheRayThroughEveryPixel) {
   }
 }
 
+TEST(Pose, OfAnUprightWindowShowsAcrossWhatALowOneShowsUpright) {
+  Scene scene;
+  View wide, upright;
+  wide.width = upright.height = 1280;
+  wide.height = upright.width = 720;
+  upright.field = 1280.0 / 720.0;
+  const Pose a = pose_of(scene, wide), b = pose_of(scene, upright);
+  EXPECT_NEAR(glm::dot(ray_through(a, wide, {640.0, 0.0}), a.forward),
+              glm::dot(ray_through(b, upright, {0.0, 640.0}), b.forward), 1e-12);
+}
+
+TEST(Pose, AShiftMovesWhatIsSeenOfASphere) {
+  Scene scene;
+  View view;
+  view.width = 390;
+  view.height = 844;
+  view.shift = {20.0, -190.0};
+  const Pose pose = pose_of(scene, view);
+  const PictureBox box = box_of_sphere(pose, view, 1.0);
+  EXPECT_NEAR(0.5 * (box.left + box.right) * view.width, 0.5 * view.width + 20.0, 1e-6);
+  EXPECT_NEAR(0.5 * (box.bottom + box.top) * view.height, 0.5 * view.height + 190.0, 1e-6);
+  EXPECT_LT(box.top, 1.0);
+  for (const glm::dvec2 corner :
+       {glm::dvec2(0.0, 0.0), glm::dvec2(390.0, 0.0), glm::dvec2(0.0, 844.0), glm::dvec2(390.0, 844.0)}) {
+    EXPECT_GE(glm::dot(ray_through(pose, view, corner), pose.forward), std::cos(picture_half_angle(pose, view)) - 1e-9);
+  }
+}
+
 TEST(SurfaceRadius, ScalesWithThePlanet) {
   Scene small, large;
   large.planet.radius *= 1024.0;

@@ -1,10 +1,24 @@
 // The page for those who do not see it, or do not want it to move.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { describe, test } from 'node:test';
 import { sleep, until } from './browser.mjs';
-import { settled, testSite } from './site.mjs';
+import { look, settled, testSite } from './site.mjs';
 
 const { open } = testSite();
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+// What axe-core finds, serious or critical, and how many of its rules had something to look at.
+async function faults(page) {
+  await page.evaluate(axe + '; 0');  // not as a script of the page, which its security policy would forbid
+  return page.evaluate(async () => {
+    const { passes, violations } = await window.axe.run();
+    const serious = violations.filter(fault => ['serious', 'critical'].includes(fault.impact));
+    return { rules: passes.length, serious: serious.map(({ id, help, nodes }) => ({ id, help, where: nodes.map(node => node.html) })) };
+  });
+}
 
 const label = page => page.getAttribute('canvas', 'aria-label');
 
@@ -48,6 +62,53 @@ describe('the page, to everyone', () => {
     const rest = await longitude();
     await sleep(500);
     assert.equal(await longitude(), rest);
+    await page.context().close();
+  });
+
+  test('leads by keys alone from the open page to a copied link, and out again', async () => {
+    const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 }, permissions: ['clipboard-read', 'clipboard-write'] });
+    await page.evaluate(() => { document.body.append(Object.assign(document.createElement('button'), { id: 'next' })); });
+    const focused = () => page.evaluate(() => document.activeElement.id);
+    const tap = async key => { await page.keyboard.press(key, { delay: 100 }); await sleep(400); };
+    const start = await page.evaluate(() => terrella.scene());
+    await tap('Tab');
+    assert.equal(await focused(), 'planet');
+    const unmarked = await look(page);
+    await tap('Tab');  // into the panel: undo and redo are not to be had yet
+    assert.notDeepEqual(await look(page), unmarked);
+    for (const step of ['Tab', 'Tab', 'Tab', 'ArrowDown']) await tap(step);  // full screen, fold, presets, what lies below
+    assert.equal(await focused(), 'planet');
+    await tap('Enter');
+    await until(page, async () => (await navigator.clipboard.readText()) === terrella.link());
+    assert.deepEqual(await page.evaluate(() => terrella.scene()), start);  // the arrow turned no planet
+    await tap('Escape');
+    await tap('Tab');
+    assert.equal(await focused(), 'next');
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('breaks no serious rule of accessibility, nor does its failure or an element', async () => {
+    const planet = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 } });
+    const failure = await open('', { broken: true, script: () => { delete window.WebAssembly; } });
+    await until(failure, () => /WebAssembly/.test(document.getElementById('message').textContent));
+    const element = await open('examples/index.html', { bare: true });
+    await until(element, () => Boolean(customElements.get('terrella-planet')));
+    for (const page of [planet, failure, element]) {
+      const found = await faults(page);
+      assert.ok(found.rules > 10, `${found.rules} rules had something to look at`);
+      assert.deepEqual(found.serious, []);
+      await page.context().close();
+    }
+  });
+
+  test('would be told of a serious fault', async () => {
+    const page = await open('?panel=0&pause=1&preset=moon');
+    await page.evaluate(() => {
+      document.documentElement.removeAttribute('lang');
+      document.querySelector('canvas').removeAttribute('aria-label');
+    });
+    assert.deepEqual((await faults(page)).serious.map(fault => fault.id).sort(), ['html-has-lang', 'role-img-alt']);
     await page.context().close();
   });
 });

@@ -117,7 +117,7 @@ describe('the page', () => {
     await page.context().close();
   });
 
-  test('follows fingers: one turns the planet, two come nearer', async () => {
+  test('follows fingers: one turns the planet, two come nearer and turn the picture', async () => {
     const page = await open('?panel=0&pause=1', { hasTouch: true });
     const touch = await page.context().newCDPSession(page);
     const send = (type, ...places) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
@@ -134,6 +134,17 @@ describe('the page', () => {
     for (let d = 12; d <= 40; d += 4) await send('touchMove', [160 - d, 120], [160 + d, 120]);
     await send('touchEnd');
     await until(page, before => terrella.get('camera.altitude') < 0.7 * before, altitude);
+
+    // A quarter turn clockwise, by steps through the place where the angle begins anew.
+    await page.evaluate(() => terrella.load('?preset=moon'));
+    const [heading, place] = [await camera('heading'), await camera('latitude')];
+    const circle = degrees => [0, 180].map(d => (degrees + d) * Math.PI / 180).map(a => [160 + 40 * Math.cos(a), 120 + 40 * Math.sin(a)]);
+    await send('touchStart', ...circle(135));
+    for (let degrees = 140; degrees <= 225; degrees += 5) await send('touchMove', ...circle(degrees));
+    await send('touchEnd');
+    const turned = await camera('heading');
+    assert.ok(Math.abs(heading - turned - 90) < 6, `${heading} ${turned}`);
+    assert.ok(Math.abs(await camera('latitude') - place) < 3);
     assert.deepEqual(page.wrong, []);
     await page.context().close();
   });
@@ -227,9 +238,9 @@ describe('the page', () => {
 
   test('keeps the whole picture while only the panel is drawn again', async () => {
     const page = await open('?panel=0&pause=1&preset=moon');
+    await page.focus('canvas');  // which has a mark
     await settled(page);
     const before = await look(page);
-    await page.focus('canvas');
     await page.keyboard.press('x');
     await sleep(500);
     assert.deepEqual(await look(page), before);
@@ -245,6 +256,20 @@ describe('the page', () => {
     await sleep(800);
     const hidden = await look(page);
     assert.notEqual(shown.brightness.toFixed(4), hidden.brightness.toFixed(4));
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('fills the screen by Shift+F, and leaves it again', async () => {
+    const page = await open('?panel=0&pause=1&preset=moon');
+    const size = () => page.evaluate(() => terrella.stats().size);
+    const before = await size();
+    await page.focus('canvas');
+    await page.keyboard.press('Shift+F');
+    await until(page, () => document.fullscreenElement === document.querySelector('canvas'));
+    await page.keyboard.press('Shift+F');
+    await until(page, () => document.fullscreenElement === null);
+    await until(page, ([width]) => terrella.stats().size[0] === width, before);
     assert.deepEqual(page.wrong, []);
     await page.context().close();
   });

@@ -60,9 +60,10 @@ export async function settled(page, planet = 'terrella') {
   throw new Error('it draws and draws');
 }
 
-// Mean brightness and number of different colours of what is on screen, or of one element.
-export async function look(page, selector) {
-  const png = (await (selector ? page.locator(selector) : page).screenshot()).toString('base64');
+// Mean brightness and number of different colours of what is on screen, or of one element, or of a part: clip, in CSS
+// pixels.
+export async function look(page, selector, clip) {
+  const png = (await (selector ? page.locator(selector) : page).screenshot({ clip })).toString('base64');
   return page.evaluate(async data => {
     const bytes = Uint8Array.from(atob(data), c => c.charCodeAt(0));
     const picture = await createImageBitmap(new Blob([bytes]));

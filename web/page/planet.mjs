@@ -7,6 +7,8 @@ const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', '
 
 const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
 
+const fingersPoint = () => matchMedia('(pointer: coarse)').matches;
+
 // A value as a link writes it.
 const asText = value => typeof value === 'string' ? value : JSON.stringify(value) ?? String(value);
 
@@ -122,7 +124,7 @@ export class Planet {
     if (!this.#program || !this.#canvas.isConnected) return;
     const width = Math.max(1, this.#canvas.clientWidth), height = Math.max(1, this.#canvas.clientHeight);
     this.#size(width, height);
-    this.#program._terrella_resize(width, height, scale());
+    this.#program._terrella_resize(width, height, scale(), fingersPoint() ? 1 : 0);
     this.#wake();
   }
 
@@ -238,8 +240,16 @@ export class Planet {
         input.onchange = async () => { if (input.files[0]) this.#loadFile(await input.files[0].text()); };
         input.click();
       },
+      // Not on an iPhone, nor in a frame that may not.
+      onFillScreen: document.fullscreenEnabled && this.#canvas.requestFullscreen ? () => this.#fillScreen() : null,
       onSavePicture: () => this.#screenshot().then(blob => save(blob, 'planet.png')),
     };
+  }
+
+  // Or back.
+  #fillScreen() {
+    const filled = this.#canvas.getRootNode().fullscreenElement === this.#canvas;
+    (filled ? document.exitFullscreen() : this.#canvas.requestFullscreen()).catch(() => {});
   }
 
   async #screenshot({ width = this.#canvas.width, height = this.#canvas.height, transparent = false } = {}) {
@@ -311,7 +321,8 @@ function listenToPointers({ canvas, program, wake }) {
   };
   const twoFingers = () => {
     const [[ax, ay], [bx, by]] = [...fingers.values()];
-    return { x: (ax + bx) / 2, y: (ay + by) / 2, span: Math.max(1, Math.hypot(ax - bx, ay - by)) };
+    const span = Math.max(1, Math.hypot(ax - bx, ay - by)), angle = Math.atan2(by - ay, bx - ax);
+    return { x: (ax + bx) / 2, y: (ay + by) / 2, span, angle };
   };
   const moved = event => {
     const at = place(event);
@@ -319,9 +330,11 @@ function listenToPointers({ canvas, program, wake }) {
       const before = twoFingers();
       fingers.set(event.pointerId, at);
       const after = twoFingers();
-      program._terrella_pinch(after.span / before.span, after.x - before.x, after.y - before.y, after.x, after.y);
+      const turned = after.angle - before.angle, twist = Math.atan2(Math.sin(turned), Math.cos(turned));
+      program._terrella_pinch(after.span / before.span, twist, after.x - before.x, after.y - before.y, after.x, after.y);
     } else if (fingers.size < 2) {
       if (fingers.has(event.pointerId)) fingers.set(event.pointerId, at);
+      else program._terrella_pointer_is_finger(0);
       program._terrella_pointer_moved(...at);
     }
   };
@@ -331,8 +344,10 @@ function listenToPointers({ canvas, program, wake }) {
     const at = place(event);
     if (event.pointerType === 'touch') fingers.set(event.pointerId, at);
     if (fingers.size > 1) {
+      program._terrella_pointer_left();  // the first finger presses nothing: it was the beginning of this
       program._terrella_pointer_button(0, 0);
     } else {
+      program._terrella_pointer_is_finger(event.pointerType === 'touch' ? 1 : 0);
       program._terrella_pointer_moved(...at);
       program._terrella_pointer_button(buttonOf(event), 1);
     }
@@ -363,11 +378,11 @@ function listenToKeys({ canvas, program, wake }) {
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const index = Math.max(0, keys.indexOf(name === '=' ? '+' : name));
     const control = event.ctrlKey || event.metaKey;
-    program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
+    const used = program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
     if (down && event.key.length === 1 && !control) program._terrella_text(event.key.codePointAt(0));
     // The browser would search, scroll or open a list of its own.
     const ours = control ? name === 'z' || name === 'y' : index > 0 || event.key.length === 1;
-    if (ours && event.key !== 'Tab') event.preventDefault();
+    if (ours && (used || event.key !== 'Tab')) event.preventDefault();
     wake();
   };
   canvas.addEventListener('keydown', key(true));

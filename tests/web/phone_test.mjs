@@ -1,0 +1,102 @@
+// The page on a phone.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { sleep, until } from './browser.mjs';
+import { look, settled, testSite } from './site.mjs';
+
+const { open } = testSite();
+
+const phone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 1, hasTouch: true, isMobile: true };
+const query = '?pause=1&preset=moon&quality.resolution_scale=0.25';
+const handle = [195, 815];
+
+// Its fingers. Each takes places, [x, y] in CSS pixels.
+async function fingersOn(page) {
+  const session = await page.context().newCDPSession(page);
+  const send = (type, places) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+  return {
+    down: (...places) => send('touchStart', places),
+    move: (...places) => send('touchMove', places),
+    up: () => send('touchEnd', []),
+    async draw([x, y], [toX, toY]) {
+      await send('touchStart', [[x, y]]);
+      for (let i = 1; i <= 10; ++i) await send('touchMove', [[x + (toX - x) * i / 10, y + (toY - y) * i / 10]]);
+      await sleep(300);  // no throw
+      await send('touchEnd', []);
+      await sleep(300);
+    },
+  };
+}
+
+const camera = page => page.evaluate(() => JSON.stringify(terrella.scene().camera ?? {}));
+const above = page => look(page, undefined, { x: 150, y: 60, width: 90, height: 60 });
+
+describe('the page on a phone', () => {
+  test('has its panel folded under the planet; unfolded, the planet makes room for it', async () => {
+    const page = await open(query, phone);
+    await settled(page);
+    const fingers = await fingersOn(page);
+    const [start, folded] = [await camera(page), await above(page)];
+    await fingers.draw([100, 700], [140, 690]);
+    assert.notEqual(await camera(page), start);  // the planet is there, not the panel
+
+    await page.touchscreen.tap(...handle);
+    await settled(page);
+    const unfolded = await above(page), turned = await camera(page);
+    assert.ok(unfolded.brightness > 2 * folded.brightness, JSON.stringify([folded, unfolded]));
+    await fingers.draw([100, 700], [100, 600]);
+    assert.equal(await camera(page), turned);  // it scrolls the panel
+    await fingers.draw([100, 200], [140, 190]);
+    assert.notEqual(await camera(page), turned);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('presses nothing where a second finger comes', async () => {
+    const page = await open(query, phone);
+    await settled(page);
+    const fingers = await fingersOn(page);
+    const folded = await above(page);
+    await fingers.down(handle);
+    await sleep(300);
+    await fingers.down(handle, [195, 400]);
+    await sleep(300);
+    await fingers.up();
+    await settled(page);
+    assert.deepEqual(await above(page), folded);
+    await page.touchscreen.tap(...handle);
+    await settled(page);
+    assert.notDeepEqual(await above(page), folded);
+    await page.context().close();
+  });
+
+  test('stands at the left again when the phone is turned', async () => {
+    const page = await open(query, phone);
+    await page.setViewportSize({ width: 844, height: 390 });
+    await settled(page);
+    const start = await camera(page);
+    const fingers = await fingersOn(page);
+    await fingers.draw([100, 330], [100, 250]);  // on the panel
+    assert.equal(await camera(page), start);
+    await fingers.draw([700, 200], [650, 200]);
+    assert.notEqual(await camera(page), start);
+    await page.context().close();
+  });
+
+  test('neither selects, zooms nor pulls the page under a finger', async () => {
+    const page = await open(query, phone);
+    const fingers = await fingersOn(page);
+    await fingers.draw([195, 60], [195, 700]);
+    await page.touchscreen.tap(195, 400);
+    await page.touchscreen.tap(195, 400);
+    await fingers.down([150, 400], [240, 400]);
+    for (let d = 0; d <= 60; d += 10) await fingers.move([150 - d, 400], [240 + d, 400]);
+    await fingers.up();
+    await until(page, () => terrella.get('camera.altitude') < 1);
+    const page_is = await page.evaluate(() => [visualViewport.scale, scrollY, getSelection().toString(),
+      getComputedStyle(document.documentElement).overscrollBehaviorY, getComputedStyle(document.body).touchAction]);
+    assert.deepEqual(page_is, [1, 0, '', 'none', 'none']);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+});
