@@ -161,11 +161,12 @@ void Session::key(Key key, bool down, Modifiers modifiers) {
     if (key == Key::y) redo();
   }
   if (down && !typing && !modifiers.control) {
-    keys_down_.insert(key);
+    const bool repeated = !keys_down_.insert(key).second;
     keys_tapped_.insert(key);
     if (key == Key::space) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
     if (key == Key::c) compare(true);
+    if (key == Key::n && !repeated) surprise();
   } else {
     keys_down_.erase(key);
     if (key == Key::c) compare(false);
@@ -187,6 +188,13 @@ void Session::compare(bool wanted) {
   comparing_ = wanted;
   planet_stale_ = true;
   panel_frames_ = std::max(panel_frames_, 2);
+}
+
+void Session::surprise() {
+  if (hand_is_busy()) return;
+  history_.begin();
+  panel_.surprise(document_);
+  scene_was_changed();
 }
 
 Scene Session::shown() const {

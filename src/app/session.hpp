@@ -99,6 +99,7 @@ class Session {
   // What is drawn: the scene or, while comparing, the planet as it was opened, seen from where the camera is now.
   Scene shown() const;
   void compare(bool wanted);
+  void surprise();
   void scene_was_changed();
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);

@@ -17,8 +17,8 @@ void continue_at_right(float width) {
   ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width, 0.0F);
 }
 
-void preset_list(Sheet& sheet) {
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+void preset_list(Sheet& sheet, float width) {
+  ImGui::SetNextItemWidth(width);
   const bool open = ImGui::BeginCombo("##presets", sheet.preset->title.c_str(), ImGuiComboFlags_HeightLargest);
   sheet.place("preset");
   if (!open) return tooltip(text_of(sheet.preset->about, '.'));
@@ -31,6 +31,16 @@ void preset_list(Sheet& sheet) {
     tooltip(text_of(preset.about, '.'));
   }
   ImGui::EndCombo();
+}
+
+void preset_row(Sheet& sheet) {
+  const float room = ImGui::GetContentRegionAvail().x, space = ImGui::GetStyle().ItemSpacing.x;
+  const float width = std::min(points(62.0F), 0.3F * room);
+  preset_list(sheet, room - width - space);
+  ImGui::SameLine();
+  if (ImGui::Button("Random", {width, 0.0F})) sheet.surprise();
+  sheet.place("random");
+  tooltip("A planet by chance, but for what is locked (N).");
 }
 
 // What stands at the left of the buttons, where there is room for it.
@@ -113,7 +123,7 @@ std::string in_latin1(std::string text) {
 
 void head_section(Sheet& sheet) {
   title_row(sheet);
-  preset_list(sheet);
+  preset_row(sheet);
 
   ButtonGrid grid(sheet);
   PanelWishes& wishes = sheet.wishes;

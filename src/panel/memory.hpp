@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <random>
 #include <string>
 #include <string_view>
+
+#include "scene/surprise.hpp"
 
 namespace terrella {
 
@@ -44,12 +47,19 @@ struct Search {
   bool wanted = false;  // the field shall have the keyboard
 };
 
+// What is drawn by chance.
+struct Chance {
+  Locks locked;           // by the user
+  std::minstd_rand dice;  // for the seeds
+};
+
 struct PanelMemory {
   bool folded = false;      // to a button in its corner
   bool keys_shown = false;  // the list of keys
   Typing typing;
   SliderHand hand;
   Search search;
+  Chance chance;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

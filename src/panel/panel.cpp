@@ -3,11 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "panel/facts_view.hpp"
 #include "panel/head.hpp"
+#include "panel/icon_buttons.hpp"
 #include "panel/keys_window.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/search.hpp"
@@ -15,6 +17,7 @@
 #include "panel/sheet.hpp"
 #include "panel/slider_hand.hpp"
 #include "panel/widgets.hpp"
+#include "scene/view_groups.hpp"
 
 namespace terrella {
 namespace {
@@ -42,11 +45,18 @@ bool group_header(Sheet& sheet, const Group& group) {
   const bool open = ImGui::CollapsingHeader(text_of(group.title, "###", name).c_str(), ImGuiTreeNodeFlags_AllowOverlap);
   sheet.place(name);
   tooltip(text_of(group.help, '.'));
+  // Above the resets and locks of its rows.
   if (sheet.differs(group)) {
-    ImGui::SameLine(right - reset_button_width(), 0.0F);
+    ImGui::SameLine(right - 2.0F * reset_button_width(), 0.0F);
     if (reset_button(("reset " + name).c_str())) sheet.reset(group);
     sheet.place(name, "/reset");
     tooltip("The whole group as it is in the preset.");
+  }
+  if (!is_of_view(group.name)) {
+    ImGui::SameLine(right - reset_button_width(), 0.0F);
+    if (random_button(("random " + name).c_str())) sheet.surprise(group);
+    sheet.place(name, "/random");
+    tooltip("This group by chance, but for what is locked.");
   }
   return open;
 }
@@ -86,6 +96,11 @@ void sections_below_search(Sheet& sheet) {
 
 }  // namespace
 
+Panel::Panel() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  memory_.chance.dice.seed(static_cast<std::minstd_rand::result_type>(now));
+}
+
 PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places) {
   const Preset* preset = find_preset(document.preset);
   CHECK(preset != nullptr, "a document of the preset ", document.preset);
@@ -105,6 +120,11 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   ImGui::End();
   keys_window(sheet);
   return sheet.wishes;
+}
+
+void Panel::surprise(SceneDocument& document) {
+  const Chance& chance = memory_.chance;
+  document.scene = terrella::surprise(document.scene, chance.locked, static_cast<std::uint32_t>(memory_.chance.dice()));
 }
 
 void Panel::start_search() {

@@ -45,7 +45,7 @@ struct PanelWishes {
 };
 
 // Where something that can be clicked lies, in pixels: "terrain" (a group's header), "terrain.height" (its slider),
-// "terrain.height/reset", "copy_link", "preset/storm".
+// "terrain.height/reset", "terrain/random", "copy_link", "preset/storm".
 struct WidgetPlace {
   std::string name;
   float left, top, right, bottom;
@@ -53,12 +53,17 @@ struct WidgetPlace {
 
 class Panel {
  public:
+  Panel();
+
   // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window. Where `places` is given,
   // the place of every widget drawn is added to it.
   PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
 
   // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
   void start_search();
+
+  // Draws the planet anew by chance, but for what is locked.
+  void surprise(SceneDocument& document);
 
   // Shows the list of keys, or closes it.
   void toggle_keys() { memory_.keys_shown = !memory_.keys_shown; }

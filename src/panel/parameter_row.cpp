@@ -6,17 +6,20 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "panel/icon_buttons.hpp"
 #include "panel/quantity.hpp"
 #include "panel/slider_hand.hpp"
 #include "panel/slider_range.hpp"
 #include "panel/typing.hpp"
 #include "panel/widgets.hpp"
+#include "scene/view_groups.hpp"
 
 namespace terrella {
 namespace {
 
-constexpr float label_width = 124.0F;   // points
-constexpr double widest_slider = 5000;  // of whole numbers; beyond, a pixel would skip too many
+constexpr float label_width = 124.0F;          // points
+constexpr float narrowest_with_lock = 220.0F;  // points
+constexpr double widest_slider = 5000;         // of whole numbers; beyond, a pixel would skip too many
 
 // "ridge_sharpness" as "Ridge sharpness"
 std::string label_of(const Parameter& parameter) {
@@ -126,6 +129,11 @@ void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
   if (ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput) sheet.wishes.dragging = true;
 }
 
+void lock(Sheet& sheet, const Parameter& parameter, bool shown) {
+  if (lock_button("lock", sheet.locked(parameter), shown)) sheet.toggle_lock(parameter);
+  sheet.place(parameter.path, "/lock");
+}
+
 std::string text_of_value(const Parameter& parameter, const Scene& scene) {
   const std::string text = to_text(parameter.get(scene));
   return parameter.unit.empty() ? text : text_of(text, ' ', parameter.unit);
@@ -138,6 +146,7 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
   quiet_text(text_of(parameter.path, " = ", text_of_value(parameter, sheet.document.scene)));
   if (differs) quiet_text(text_of("In the preset: ", text_of_value(parameter, sheet.preset->scene)));
   if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), '.'));
+  if (sheet.locked(parameter)) quiet_text("Locked: stays as it is when the planet is drawn by chance.");
   if (has_slider(parameter)) quiet_text("Double click to type. The wheel goes in small steps; Ctrl is finer.");
   end_side_tooltip();
 }
@@ -146,24 +155,31 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
 
 void parameter_row(Sheet& sheet, const Parameter& parameter) {
   const bool differs = sheet.differs(parameter);
+  const float button = reset_button_width();
   ImGui::PushID(parameter.path.data(), parameter.path.data() + parameter.path.size());
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
+  const bool pointed_at = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
+  const float room_of_lock = width < points(narrowest_with_lock) ? 0.0F : button;
 
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(differs ? ImGuiCol_CheckMark : ImGuiCol_Text));
   ImGui::TextUnformatted(label_of(parameter).c_str());
   ImGui::PopStyleColor();
   ImGui::SameLine(ImGui::GetCursorPosX() + points(label_width), 0.0F);
-  value_widget(sheet, parameter, width - points(label_width) - reset_button_width());
+  value_widget(sheet, parameter, width - points(label_width) - button - room_of_lock);
   if (differs) {
-    ImGui::SameLine(ImGui::GetCursorPosX() + width - reset_button_width(), 0.0F);
+    ImGui::SameLine(ImGui::GetCursorPosX() + width - button - room_of_lock, 0.0F);
     if (reset_button("reset")) sheet.reset(parameter);
     sheet.place(parameter.path, "/reset");
   }
+  if (room_of_lock > 0.0F && !is_of_view(parameter.group)) {
+    ImGui::SameLine(ImGui::GetCursorPosX() + width - room_of_lock, 0.0F);
+    lock(sheet, parameter, pointed_at);
+  }
 
-  const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
-  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to)) explain(sheet, parameter, differs);
+  if (pointed_at) explain(sheet, parameter, differs);
   ImGui::PopID();
 }
 

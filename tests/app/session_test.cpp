@@ -229,6 +229,23 @@ TEST_F(SessionTest, ComparingEndsWhenTheKeyboardGoesElsewhere) {
   EXPECT_EQ(pixels(), changed);
 }
 
+TEST_F(SessionTest, APlanetByChanceIsOneStep) {
+  settle();
+  const SceneDocument start = session.document();
+  session.key(Key::n, true, {});
+  const SceneDocument first = session.document();
+  EXPECT_NE(first, start);
+  session.key(Key::n, true, {});  // it repeats while it is held
+  EXPECT_EQ(session.document(), first);
+  session.key(Key::n, false, {});
+  tap(Key::n);
+  EXPECT_NE(session.document(), first);
+  tap(Key::z, control);
+  EXPECT_EQ(session.document(), first);
+  tap(Key::z, control);
+  EXPECT_EQ(session.document(), start);
+}
+
 TEST_F(SessionTest, ComparingKeepsTheCamera) {
   settle();
   const auto opened = pixels();

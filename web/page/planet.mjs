@@ -3,7 +3,7 @@
 
 // In the order of terrella::Key.
 const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', '+', '-', ' ',
-  'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'q', 'r', 's', 'v', 'w', 'x', 'y', 'z'];
+  'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'n', 'q', 'r', 's', 'v', 'w', 'x', 'y', 'z'];
 
 const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
 
