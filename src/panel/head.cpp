@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "panel/mix.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -35,10 +36,15 @@ void preset_list(Sheet& sheet, float width) {
 
 void preset_row(Sheet& sheet) {
   const float room = ImGui::GetContentRegionAvail().x, space = ImGui::GetStyle().ItemSpacing.x;
-  const float width = std::min(points(62.0F), 0.3F * room);
-  preset_list(sheet, room - width - space);
+  const float wide = std::min(points(58.0F), 0.28F * room), narrow = std::min(points(40.0F), 0.2F * room);
+  preset_list(sheet, room - wide - narrow - 2.0F * space);
   ImGui::SameLine();
-  if (ImGui::Button("Random", {width, 0.0F})) sheet.surprise();
+  bool& mix_shown = sheet.memory.mix.shown;
+  if (toggle_button("Mix", mix_shown, narrow)) mix_shown = !mix_shown;
+  sheet.place("mix");
+  tooltip("Mixes the planet with another preset.");
+  ImGui::SameLine();
+  if (ImGui::Button("Random", {wide, 0.0F})) sheet.surprise();
   sheet.place("random");
   tooltip("A planet by chance, but for what is locked (N).");
 }
@@ -124,6 +130,7 @@ std::string in_latin1(std::string text) {
 void head_section(Sheet& sheet) {
   title_row(sheet);
   preset_row(sheet);
+  mix_section(sheet);
 
   ButtonGrid grid(sheet);
   PanelWishes& wishes = sheet.wishes;

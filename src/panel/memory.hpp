@@ -53,6 +53,14 @@ struct Chance {
   std::minstd_rand dice;  // for the seeds
 };
 
+// The way from a scene to a preset.
+struct Mix {
+  bool shown = false;
+  std::string_view preset;  // its name, empty before the first
+  double share = 0.0;       // of the way
+  Scene from, mixed;        // while share is above 0: the beginning, and what was made last
+};
+
 struct PanelMemory {
   bool folded = false;      // to a button in its corner
   bool keys_shown = false;  // the list of keys
@@ -60,6 +68,7 @@ struct PanelMemory {
   SliderHand hand;
   Search search;
   Chance chance;
+  Mix mix;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

@@ -12,7 +12,6 @@
 #include "panel/slider_range.hpp"
 #include "panel/typing.hpp"
 #include "panel/widgets.hpp"
-#include "scene/view_groups.hpp"
 
 namespace terrella {
 namespace {
@@ -129,9 +128,11 @@ void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
   if (ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput) sheet.wishes.dragging = true;
 }
 
-void lock(Sheet& sheet, const Parameter& parameter, bool shown) {
+// Returns whether the pointer is on it.
+bool lock(Sheet& sheet, const Parameter& parameter, bool shown) {
   if (lock_button("lock", sheet.locked(parameter), shown)) sheet.toggle_lock(parameter);
   sheet.place(parameter.path, "/lock");
+  return ImGui::IsItemHovered();
 }
 
 std::string text_of_value(const Parameter& parameter, const Scene& scene) {
@@ -146,7 +147,7 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
   quiet_text(text_of(parameter.path, " = ", text_of_value(parameter, sheet.document.scene)));
   if (differs) quiet_text(text_of("In the preset: ", text_of_value(parameter, sheet.preset->scene)));
   if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), '.'));
-  if (sheet.locked(parameter)) quiet_text("Locked: stays as it is when the planet is drawn by chance.");
+  if (sheet.locked(parameter)) quiet_text("Locked: Random leaves it as it is.");
   if (has_slider(parameter)) quiet_text("Double click to type. The wheel goes in small steps; Ctrl is finer.");
   end_side_tooltip();
 }
@@ -174,12 +175,18 @@ void parameter_row(Sheet& sheet, const Parameter& parameter) {
     if (reset_button("reset")) sheet.reset(parameter);
     sheet.place(parameter.path, "/reset");
   }
-  if (room_of_lock > 0.0F && !is_of_view(parameter.group)) {
+  bool on_lock = false;
+  if (room_of_lock > 0.0F && is_for_chance(parameter)) {
     ImGui::SameLine(ImGui::GetCursorPosX() + width - room_of_lock, 0.0F);
-    lock(sheet, parameter, pointed_at);
+    on_lock = lock(sheet, parameter, pointed_at);
   }
 
-  if (pointed_at) explain(sheet, parameter, differs);
+  if (on_lock) {
+    tooltip(sheet.locked(parameter) ? "Random leaves this value as it is. Click to unlock it."
+                                    : "Click to lock this value: Random will leave it as it is.");
+  } else if (pointed_at) {
+    explain(sheet, parameter, differs);
+  }
   ImGui::PopID();
 }
 

@@ -70,6 +70,14 @@ bool reset_button(const char* id) {
   return pressed;
 }
 
+bool toggle_button(const char* label, bool on, float width) {
+  const ImVec4 color = ImGui::GetStyleColorVec4(on ? ImGuiCol_ButtonActive : ImGuiCol_Button);
+  ImGui::PushStyleColor(ImGuiCol_Button, color);
+  const bool pressed = ImGui::Button(label, {width, 0.0F});
+  ImGui::PopStyleColor();
+  return pressed;
+}
+
 void quiet_text(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   ImGui::TextWrapped("%s", text.c_str());

@@ -19,6 +19,9 @@ bool reset_button(const char* id);
 // How wide that is.
 float reset_button_width();
 
+// A button that looks pressed while something is on.
+bool toggle_button(const char* label, bool on, float width);
+
 // A line of text in the colour of what matters less, wrapped.
 void quiet_text(const std::string& text);
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "scene/morph.hpp"
-#include "scene/parameters.hpp"
 #include "scene/presets.hpp"
 #include "scene/view_groups.hpp"
 
@@ -62,7 +61,7 @@ void take(Scene& scene, const Parameter& parameter, const Scene& from) {
 
 void take_group(Scene& scene, std::string_view group, const Scene& from, Dice& dice) {
   for (const Parameter& parameter : parameters()) {
-    if (parameter.group != group || parameter.path == "planet.radius") continue;
+    if (parameter.group != group || !is_for_chance(parameter)) continue;
     take(scene, parameter, from);
     if (parameter.is_seed()) {
       assign(scene, parameter, dice.whole(static_cast<int>(parameter.min), static_cast<int>(parameter.max)));
@@ -87,6 +86,10 @@ void match_level(Scene& scene, const Scene& before, const Locks& locked) {
 }
 
 }  // namespace
+
+bool is_for_chance(const Parameter& parameter) {
+  return !is_of_view(parameter.group) && parameter.path != "planet.radius";
+}
 
 Scene surprise(const Scene& scene, const Locks& locked, std::uint32_t seed) {
   Dice dice(seed);

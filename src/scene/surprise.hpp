@@ -4,12 +4,16 @@
 #include <set>
 #include <string_view>
 
+#include "scene/parameters.hpp"
 #include "scene/scene.hpp"
 
 namespace terrella {
 
 // Paths of parameters that shall stay as they are.
 using Locks = std::set<std::string_view>;
+
+// Whether chance may change a parameter that is not locked.
+bool is_for_chance(const Parameter& parameter);
 
 // The planet of a scene drawn anew by chance. Each group comes from one preset, up to half of the way to another, and
 // each seed from its whole range; terrain and water share their presets, so that there is land as well as sea, and the

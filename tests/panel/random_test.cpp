@@ -1,4 +1,5 @@
 #include "hand.hpp"
+#include "scene/surprise.hpp"
 #include "scene/view_groups.hpp"
 
 namespace terrella {
@@ -60,7 +61,7 @@ TEST_F(PanelTest, HowThePlanetIsLookedAtIsNoMatterOfChance) {
     EXPECT_EQ(count_of(name(group.name) + "/random"), is_of_view(group.name) ? 0 : 1) << group.name;
   }
   for (const Parameter& parameter : parameters()) {
-    EXPECT_EQ(count_of(name(parameter.path) + "/lock"), is_of_view(parameter.group) ? 0 : 1) << parameter.path;
+    EXPECT_EQ(count_of(name(parameter.path) + "/lock"), is_for_chance(parameter) ? 1 : 0) << parameter.path;
   }
 }
 
