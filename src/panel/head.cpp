@@ -116,15 +116,6 @@ class ButtonGrid {
   int count_ = 0;
 };
 
-// The font has no letters beyond Latin-1.
-std::string in_latin1(std::string text) {
-  static constexpr std::string_view ellipsis = "\u2026";
-  for (std::size_t at = text.find(ellipsis); at != std::string::npos; at = text.find(ellipsis, at)) {
-    text.replace(at, ellipsis.size(), "...");
-  }
-  return text;
-}
-
 }  // namespace
 
 void head_section(Sheet& sheet) {
@@ -148,34 +139,6 @@ void head_section(Sheet& sheet) {
 void folded_section(Sheet& sheet) {
   if (ImGui::Button("Panel")) sheet.memory.folded = false;
   sheet.place("unfold");
-}
-
-void notices_section(Sheet& sheet) {
-  if (sheet.facts.notices.empty()) return;
-  // The ground under the text is as high as the text, which is known only when it has been written.
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.ChannelsSplit(2);
-  list.ChannelsSetCurrent(1);
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, margin = points(6.0F), button = ImGui::GetFrameHeight();
-  ImGui::Dummy({0.0F, 0.0F});
-  ImGui::Indent(margin);
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - 3.0F * margin);
-  ImGui::BeginGroup();
-  for (const std::string& notice : sheet.facts.notices) ImGui::TextWrapped("%s", in_latin1(notice).c_str());
-  ImGui::EndGroup();
-  ImGui::PopTextWrapPos();
-  ImGui::Unindent(margin);
-  ImGui::SameLine(ImGui::GetCursorPosX() + width - button - margin, 0.0F);
-  if (ImGui::Button("x", {button, 0.0F})) sheet.wishes.dismiss_notices = true;
-  sheet.place("dismiss");
-  tooltip("Dismiss.");
-  const ImVec2 to{from.x + width, ImGui::GetCursorScreenPos().y};
-  list.ChannelsSetCurrent(0);
-  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);
-  list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Border), ImGui::GetStyle().FrameRounding);
-  list.ChannelsMerge();
-  ImGui::Spacing();
 }
 
 void clock_section(Sheet& sheet) {

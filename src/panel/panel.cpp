@@ -11,6 +11,7 @@
 #include "panel/head.hpp"
 #include "panel/icon_buttons.hpp"
 #include "panel/keys_window.hpp"
+#include "panel/notices.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/search.hpp"
 #include "panel/search_field.hpp"

@@ -45,7 +45,8 @@ struct PanelWishes {
 };
 
 // Where something that can be clicked lies, in pixels: "terrain" (a group's header), "terrain.height" (its slider),
-// "terrain.height/reset", "terrain/random", "copy_link", "preset/storm".
+// "terrain.height/reset", "terrain/random", "copy_link", "preset/storm",
+// "notice/waves.count".
 struct WidgetPlace {
   std::string name;
   float left, top, right, bottom;

@@ -78,6 +78,16 @@ bool toggle_button(const char* label, bool on, float width) {
   return pressed;
 }
 
+bool link_button(const char* label) {
+  const ImVec2 from = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(label);
+  const bool pressed = ImGui::InvisibleButton(label, size);
+  const unsigned color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_CheckMark);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(from, color, label);
+  list.AddLine({from.x, from.y + size.y}, {from.x + size.x, from.y + size.y}, color);
+  return pressed;
+}
+
 void quiet_text(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   ImGui::TextWrapped("%s", text.c_str());

@@ -22,6 +22,9 @@ float reset_button_width();
 // A button that looks pressed while something is on.
 bool toggle_button(const char* label, bool on, float width);
 
+// A text to click, underlined.
+bool link_button(const char* label);
+
 // A line of text in the colour of what matters less, wrapped.
 void quiet_text(const std::string& text);
 
