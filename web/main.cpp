@@ -28,6 +28,7 @@ EM_JS(void, page_copy_text, (const char* text), { Module.onCopyText(UTF8ToString
 EM_JS(void, page_save_json, (const char* text), { Module.onSaveJson(UTF8ToString(text)); });
 EM_JS(void, page_open_json, (), { Module.onOpenJson(); });
 EM_JS(void, page_save_picture, (), { Module.onSavePicture(); });
+EM_JS(void, page_keep_habits, (const char* text), { Module.onKeepHabits(UTF8ToString(text)); });
 // clang-format on
 
 std::unique_ptr<Session> session;
@@ -123,6 +124,7 @@ EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) {
 EMSCRIPTEN_KEEPALIVE void terrella_add_notice(const char* sentence) { session->add_notices({sentence}); }
 EMSCRIPTEN_KEEPALIVE void terrella_set_paused(int paused) { session->set_paused(paused != 0); }
 EMSCRIPTEN_KEEPALIVE void terrella_show_panel(int shown) { session->show_panel(shown != 0); }
+EMSCRIPTEN_KEEPALIVE void terrella_take_habits(const char* text) { session->take_habits(text); }
 EMSCRIPTEN_KEEPALIVE const char* terrella_stats() { return returned(session->stats()); }
 EMSCRIPTEN_KEEPALIVE void terrella_render(double seconds) { session->render_at(seconds, 0); }
 
@@ -152,6 +154,7 @@ int main() {
   host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
   host.open_json = page_open_json;
   host.save_picture = page_save_picture;
+  host.keep_habits = [](const std::string& text) { page_keep_habits(text.c_str()); };
   session = std::make_unique<Session>(std::move(host));
   return 0;
 }

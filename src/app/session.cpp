@@ -337,7 +337,15 @@ void Session::run_panel() {
   ImGui::NewFrame();
   const PanelWishes wishes = panel_.draw(document_, facts());
   ImGui::Render();
+  keep_habits();
   obey(wishes);
+}
+
+void Session::keep_habits() {
+  std::string habits = panel_.habits();
+  if (habits == kept_habits_) return;
+  kept_habits_ = std::move(habits);
+  if (host_.keep_habits) host_.keep_habits(kept_habits_);
 }
 
 void Session::obey(const PanelWishes& wishes) {
@@ -450,6 +458,12 @@ void Session::set_seconds(double seconds) {
 void Session::show_panel(bool shown) {
   panel_shown_ = shown;
   if (!shown) hand_on_value_ = false;
+  panel_frames_ = 3;
+}
+
+void Session::take_habits(const std::string& habits) {
+  panel_.take_habits(habits);
+  kept_habits_ = panel_.habits();
   panel_frames_ = 3;
 }
 

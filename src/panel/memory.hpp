@@ -3,6 +3,7 @@
 
 #include <array>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -62,8 +63,9 @@ struct Mix {
 };
 
 struct PanelMemory {
-  bool folded = false;      // to a button in its corner
-  bool keys_shown = false;  // the list of keys
+  bool folded = false;              // to a button in its corner
+  bool keys_shown = false;          // the list of keys
+  std::set<std::string_view> open;  // sections
   Typing typing;
   SliderHand hand;
   Search search;

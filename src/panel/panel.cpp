@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "panel/facts_view.hpp"
+#include "panel/habits.hpp"
 #include "panel/head.hpp"
 #include "panel/icon_buttons.hpp"
 #include "panel/keys_window.hpp"
@@ -15,6 +16,7 @@
 #include "panel/parameter_row.hpp"
 #include "panel/search.hpp"
 #include "panel/search_field.hpp"
+#include "panel/sections.hpp"
 #include "panel/sheet.hpp"
 #include "panel/slider_hand.hpp"
 #include "panel/widgets.hpp"
@@ -43,8 +45,7 @@ bool begin_window(bool folded) {
 bool group_header(Sheet& sheet, const Group& group) {
   const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   const std::string name(group.name);
-  const bool open = ImGui::CollapsingHeader(text_of(group.title, "###", name).c_str(), ImGuiTreeNodeFlags_AllowOverlap);
-  sheet.place(name);
+  const bool open = section_header(sheet, group.name, group.title);
   tooltip(text_of(group.help, '.'));
   // Above the resets and locks of its rows.
   if (sheet.differs(group)) {
@@ -122,6 +123,10 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   keys_window(sheet);
   return sheet.wishes;
 }
+
+std::string Panel::habits() const { return habits_of(memory_); }
+
+void Panel::take_habits(std::string_view text) { terrella::take_habits(memory_, text); }
 
 void Panel::surprise(SceneDocument& document) {
   const Chance& chance = memory_.chance;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "panel/memory.hpp"
@@ -62,6 +63,10 @@ class Panel {
 
   // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
   void start_search();
+
+  // What is to be kept until the next visit, as a line of text (panel/habits.hpp).
+  [[nodiscard]] std::string habits() const;
+  void take_habits(std::string_view text);
 
   // Draws the planet anew by chance, but for what is locked.
   void surprise(SceneDocument& document);

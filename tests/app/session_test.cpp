@@ -71,6 +71,7 @@ class SessionTest : public testing::Test {
   Session::Host host() {
     Session::Host host;
     host.scene_changed = [this] { ++changes; };
+    host.keep_habits = [this](const std::string& habits) { kept.push_back(habits); };
     return host;
   }
 
@@ -79,7 +80,8 @@ class SessionTest : public testing::Test {
   double now_ = 1.0;
 
  protected:
-  int changes = 0;  // told to the host
+  int changes = 0;                // told to the host
+  std::vector<std::string> kept;  // by the host
   Session session;
 };
 
@@ -244,6 +246,18 @@ TEST_F(SessionTest, APlanetByChanceIsOneStep) {
   EXPECT_EQ(session.document(), first);
   tap(Key::z, control);
   EXPECT_EQ(session.document(), start);
+}
+
+TEST_F(SessionTest, HabitsAreKeptWhenTheyChangeAndNotBefore) {
+  session.load_link("quality.resolution_scale=0.25");
+  session.resize(640, 400, 1.0);
+  session.take_habits("folded waves");
+  session.show_panel(true);
+  settle();
+  EXPECT_EQ(kept, std::vector<std::string>{});
+  session.text('/');  // unfolds
+  settle();
+  EXPECT_EQ(kept, std::vector<std::string>{"waves"});
 }
 
 TEST_F(SessionTest, ComparingKeepsTheCamera) {

@@ -7,9 +7,20 @@ const message = document.getElementById('message');
 const progress = document.getElementById('progress');
 const asked = new URLSearchParams(location.search);
 
+// The panel's habits, from visit to visit. Where a browser lends pages no memory, there are none.
+const habitsKey = 'terrella.panel';
+function habits() {
+  try { return localStorage.getItem(habitsKey) ?? ''; } catch { return ''; }
+}
+function keepHabits(text) {
+  try { localStorage.setItem(habitsKey, text); } catch { /* it forgets */ }
+}
+
 const planet = new Planet(canvas, {
   query: () => location.search,
   linkTo,
+  habits,
+  keepHabits,
   firstSize: () => [innerWidth, innerHeight],  // the style sheet may be on its way
   progressed(share) { progress.value = share; },
   shown() { loading.hidden = true; },

@@ -31,11 +31,13 @@ export class Planet {
   //   query()            scene, panel and pause, as in a link
   //   linkTo(query)      the link that leads to a scene
   //   firstSize()        in CSS pixels, where the canvas may not have been laid out yet
+  //   habits()           the panel's, as they were kept
+  //   keepHabits(text)   for the next visit
   //   progressed(share), shown(), failed(sentence)
   constructor(canvas, around) {
     this.#canvas = canvas;
     this.#around = { linkTo: query => '?' + query, firstSize: () => [canvas.clientWidth, canvas.clientHeight],
-      progressed() {}, shown() {}, failed() {}, ...around };
+      habits: () => '', keepHabits() {}, progressed() {}, shown() {}, failed() {}, ...around };
     const ready = new Promise((keep, breakIt) => { this.#keepReady = keep; this.#breakReady = breakIt; });
     ready.catch(() => {});  // the surroundings show the sentence; a caller may still ask for it
     this.api = this.#offers(ready);
@@ -62,6 +64,7 @@ export class Planet {
     }
     this.#around.progressed(0.3);
     if (this.#around.query()) this.loadQuery();
+    this.#call('take_habits', ['string'], [this.#around.habits()]);
     this.showPanel();
     this.setClock();
     this.#describe();
@@ -238,6 +241,7 @@ export class Planet {
         input.onchange = async () => { if (input.files[0]) this.#loadFile(await input.files[0].text()); };
         input.click();
       },
+      onKeepHabits: text => this.#around.keepHabits(text),
       onSavePicture: () => this.#screenshot().then(blob => save(blob, 'planet.png')),
     };
   }
