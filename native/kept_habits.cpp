@@ -26,6 +26,8 @@ std::string habits_path() { return habits_path(variable("XDG_STATE_HOME"), varia
 
 std::string kept_habits(const std::string& path) {
   if (path.empty()) return {};
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) keep_habits(path, std::string(kNewcomersHabits));
   Result<std::string> text = read_file(path, kLongestHabits);
   return text ? *text : std::string();
 }

@@ -13,7 +13,8 @@ std::string habits_path(const std::string& state_home, const std::string& home);
 // Of this user.
 std::string habits_path();
 
-// What was kept; empty if nothing can be read.
+// What was kept. At the first visit those of a newcomer, if they can be kept: nobody is to be shown around twice. Empty
+// if nothing can be read.
 std::string kept_habits(const std::string& path);
 // Makes the file's folder where there is none.
 void keep_habits(const std::string& path, const std::string& habits);

@@ -9,7 +9,7 @@
 namespace terrella {
 namespace {
 
-constexpr std::string_view folded = "folded", mix = "mix";
+constexpr std::string_view folded = "folded", mix = "mix", tour = kNewcomersHabits;
 
 std::vector<std::string_view> sections() {
   std::vector<std::string_view> names;
@@ -40,6 +40,7 @@ std::string habits_of(const PanelMemory& memory) {
   };
   add(folded, memory.folded);
   add(mix, memory.mix.shown);
+  add(tour, memory.tour.wanted);
   for (const std::string_view name : sections()) add(name, memory.open.contains(name));
   return text;
 }
@@ -48,6 +49,7 @@ void take_habits(PanelMemory& memory, std::string_view text) {
   const std::set<std::string_view> words = words_of(text.substr(0, kLongestHabits));
   memory.folded = words.contains(folded);
   memory.mix.shown = words.contains(mix);
+  memory.tour.wanted = words.contains(tour);
   memory.open.clear();
   for (const std::string_view name : sections()) {
     if (words.contains(name)) memory.open.insert(name);

@@ -11,7 +11,11 @@ namespace terrella {
 // The longest text that is worth keeping, in bytes.
 inline constexpr std::size_t kLongestHabits = 4096;
 
-// "folded mix terrain waves": whether the panel is folded, whether the mix is shown, which sections are open.
+// Of who comes for the first time: the tour is still to come.
+inline constexpr std::string_view kNewcomersHabits = "tour";
+
+// "folded mix tour terrain waves": whether the panel is folded, whether the mix is shown, whether the tour is not over,
+// which sections are open.
 std::string habits_of(const PanelMemory& memory);
 
 // Takes on what such a text says; of any other text what words it understands, in any order.

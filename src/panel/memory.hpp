@@ -62,6 +62,18 @@ struct Mix {
   Scene from, mixed;        // while share is above 0: the beginning, and what was made last
 };
 
+// Where something was drawn last, pixels.
+struct Box {
+  float left = 0.0F, top = 0.0F, right = 0.0F, bottom = 0.0F;
+};
+
+// The bubbles for newcomers.
+struct Tour {
+  bool wanted = false;
+  int step = 0;
+  Box target;  // the widget to which the bubble points
+};
+
 struct PanelMemory {
   bool folded = false;              // to a button in its corner
   bool keys_shown = false;          // the list of keys
@@ -71,6 +83,7 @@ struct PanelMemory {
   Search search;
   Chance chance;
   Mix mix;
+  Tour tour;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

@@ -19,6 +19,7 @@
 #include "panel/sections.hpp"
 #include "panel/sheet.hpp"
 #include "panel/slider_hand.hpp"
+#include "panel/tour.hpp"
 #include "panel/widgets.hpp"
 #include "scene/view_groups.hpp"
 
@@ -119,7 +120,9 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
     sections_below_search(sheet);
   }
   note_scrolling(memory_.hand.wheel);
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
   ImGui::End();
+  if (!folded) tour_bubble(sheet, right);
   keys_window(sheet);
   return sheet.wishes;
 }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "base/text.hpp"
+#include "panel/tour.hpp"
 
 namespace terrella {
 
@@ -60,8 +61,9 @@ void Sheet::toggle_lock(const Parameter& parameter) {
 }
 
 void Sheet::place(std::string_view name, std::string_view suffix) const {
-  if (places == nullptr) return;
   const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+  if (suffix.empty() && name == tour_target(memory.tour)) memory.tour.target = {from.x, from.y, to.x, to.y};
+  if (places == nullptr) return;
   places->push_back({text_of(name, suffix), from.x, from.y, to.x, to.y});
 }
 

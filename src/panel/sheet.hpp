@@ -31,7 +31,7 @@ struct Sheet {
   bool locked(const Parameter& parameter) const { return memory.chance.locked.contains(parameter.path); }
   void toggle_lock(const Parameter& parameter);
 
-  // Notes where the widget that was drawn last lies.
+  // Notes where the widget that was drawn last lies, for tests and for the tour.
   void place(std::string_view name, std::string_view suffix = {}) const;
 
  private:

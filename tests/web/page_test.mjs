@@ -253,7 +253,7 @@ describe('the page', () => {
       await sleep(200);
       await page.mouse.up();
     };
-    assert.equal(await kept(), null);
+    assert.equal(await kept(), '');
     await clickOnFirstGroup();
     await until(page, () => localStorage.getItem('terrella.panel') === 'planet');
     await page.reload();
@@ -262,6 +262,31 @@ describe('the page', () => {
     await clickOnFirstGroup();  // which is open
     await until(page, () => localStorage.getItem('terrella.panel') === '');
     assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('shows a newcomer around, once', async () => {
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 }, newcomer: true });
+    const kept = () => page.evaluate(() => localStorage.getItem('terrella.panel'));
+    assert.equal(await kept(), 'tour');
+    await page.mouse.move(594, 422);
+    await sleep(500);
+    await page.mouse.down();
+    await sleep(200);
+    await page.mouse.up();
+    await until(page, () => localStorage.getItem('terrella.panel') === '');
+    await page.reload();
+    await until(page, () => Boolean(window.terrella));
+    await page.evaluate(() => terrella.ready);
+    await sleep(500);
+    assert.equal(await kept(), '');
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('shows nobody around who asks for no panel', async () => {
+    const page = await open('?panel=0&pause=1', { newcomer: true });
+    assert.equal(await page.evaluate(() => localStorage.getItem('terrella.panel')), null);
     await page.context().close();
   });
 

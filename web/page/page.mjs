@@ -7,10 +7,16 @@ const message = document.getElementById('message');
 const progress = document.getElementById('progress');
 const asked = new URLSearchParams(location.search);
 
-// The panel's habits, from visit to visit. Where a browser lends pages no memory, there are none.
+// The panel's habits, from visit to visit. Where a browser lends pages no memory, there are none, and no tour that would
+// come each time. Who asks for no panel is not shown around in it.
 const habitsKey = 'terrella.panel';
 function habits() {
-  try { return localStorage.getItem(habitsKey) ?? ''; } catch { return ''; }
+  try {
+    if (localStorage.getItem(habitsKey) === null && asked.get('panel') !== '0') keepHabits('tour');
+    return localStorage.getItem(habitsKey) ?? '';
+  } catch {
+    return '';
+  }
 }
 function keepHabits(text) {
   try { localStorage.setItem(habitsKey, text); } catch { /* it forgets */ }
