@@ -51,6 +51,7 @@ function watch() {
 async function open(browser, url, size = viewport) {
   const page = await (await browser.newContext({ viewport: size, serviceWorkers: 'block' })).newPage();
   await page.addInitScript(watch);
+  await page.addInitScript(() => localStorage.setItem('terrella.panel', ''));  // no newcomer, who is shown around
   await page.goto(url);
   return page;
 }

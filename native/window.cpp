@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "gl/caps.hpp"
+#include "native/kept_habits.hpp"
 #include "native/new_file.hpp"
 #include "native/window_keys.hpp"
 #include "scene/json.hpp"
@@ -75,7 +76,8 @@ Result<std::unique_ptr<Window>> Window::open() {
   return std::unique_ptr<Window>(new Window(std::move(handle)));
 }
 
-Window::Window(Handle handle) : handle_(std::move(handle)), session_(host()) {
+Window::Window(Handle handle) : handle_(std::move(handle)), habits_path_(terrella::habits_path()), session_(host()) {
+  session_.take_habits(kept_habits(habits_path_));
   session_.context_made();
   glfwSetWindowUserPointer(handle_.get(), this);
   listen_to_hands();
@@ -105,6 +107,7 @@ Session::Host Window::host() {
   host.copy_text = [this](const std::string& text) { glfwSetClipboardString(handle_.get(), text.c_str()); };
   host.save_json = [this](const std::string& text) { tell(save_new_file("planet", ".json", text + "\n")); };
   host.open_json = [this] { session_.add_notices({"To open a scene, drag its JSON file into this window."}); };
+  host.keep_habits = [this](const std::string& habits) { terrella::keep_habits(habits_path_, habits); };
   // Asked for in the middle of a frame; done after it.
   host.fill_screen = [this] { screen_wanted_ = true; };
   host.save_picture = [this] { picture_wanted_ = true; };

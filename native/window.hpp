@@ -42,6 +42,7 @@ class Window {
   void tell(const Result<std::string>& saved);
 
   Handle handle_;
+  std::string habits_path_;  // empty: they are not kept
   Session session_;
   double points_per_unit_ = 1.0;  // GLFW's unit of places is a point on some systems, a pixel on others
   int buttons_down_ = 0;

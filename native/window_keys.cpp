@@ -38,6 +38,7 @@ Key key_of_glfw(int code) {
     case GLFW_KEY_E: return Key::e;
     case GLFW_KEY_F: return Key::f;
     case GLFW_KEY_H: return Key::h;
+    case GLFW_KEY_N: return Key::n;
     case GLFW_KEY_Q: return Key::q;
     case GLFW_KEY_R: return Key::r;
     case GLFW_KEY_S: return Key::s;

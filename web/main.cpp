@@ -30,6 +30,7 @@ EM_JS(void, page_open_json, (), { Module.onOpenJson(); });
 EM_JS(void, page_save_picture, (), { Module.onSavePicture(); });
 EM_JS(int, page_can_fill_screen, (), { return Module.onFillScreen ? 1 : 0; });
 EM_JS(void, page_fill_screen, (), { Module.onFillScreen(); });
+EM_JS(void, page_keep_habits, (const char* text), { Module.onKeepHabits(UTF8ToString(text)); });
 // clang-format on
 
 std::unique_ptr<Session> session;
@@ -126,6 +127,7 @@ EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) {
 EMSCRIPTEN_KEEPALIVE void terrella_add_notice(const char* sentence) { session->add_notices({sentence}); }
 EMSCRIPTEN_KEEPALIVE void terrella_set_paused(int paused) { session->set_paused(paused != 0); }
 EMSCRIPTEN_KEEPALIVE void terrella_show_panel(int shown) { session->show_panel(shown != 0); }
+EMSCRIPTEN_KEEPALIVE void terrella_take_habits(const char* text) { session->take_habits(text); }
 EMSCRIPTEN_KEEPALIVE const char* terrella_stats() { return returned(session->stats()); }
 EMSCRIPTEN_KEEPALIVE void terrella_render(double seconds) { session->render_at(seconds, 0); }
 
@@ -157,6 +159,7 @@ int main() {
   host.open_json = page_open_json;
   host.save_picture = page_save_picture;
   if (page_can_fill_screen() != 0) host.fill_screen = page_fill_screen;
+  host.keep_habits = [](const std::string& text) { page_keep_habits(text.c_str()); };
   session = std::make_unique<Session>(std::move(host));
   return 0;
 }

@@ -48,7 +48,7 @@ void History::go_on(Means means, double now) {
 void History::note(const Snapshot& snapshot, double now) {
   if (snapshot == present_) return;
   const std::string_view subject = next_ == Next::same ? subject_ : subject_of(present_.document, snapshot.document);
-  const bool goes_on = next_ == Next::same || (next_ == Next::perhaps_new && subject != many && subject == subject_);
+  const bool goes_on = next_ == Next::same || (next_ == Next::perhaps_new && subject == subject_);
   const bool leads_back = !goes_on && !past_.empty() && past_.back() == snapshot && now - last_ <= rest;
   if (!goes_on && !leads_back) step_from_present();
   present_ = snapshot;

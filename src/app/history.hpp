@@ -31,7 +31,8 @@ class History {
   // A press, a file: the next change begins a step of its own.
   void begin();
   // A notch, a tap, a call. The next change goes on with the last step if that came by the same means, within `rest`,
-  // and changed the same parameter; the camera counts as one. now: seconds of any steady clock.
+  // and changed the same parameter; the camera counts as one, and so do several at once. now: seconds of any steady
+  // clock.
   void go_on(Means means, double now);
   // The scene as it is after a change; nothing if it is what it was. Until the next begin or go_on all changes belong
   // together. A step that leads back to where the last one began, within `rest`, leaves neither: the first click of

@@ -29,6 +29,7 @@ enum class Key {
   e,
   f,
   h,
+  n,
   q,
   r,
   s,

@@ -197,6 +197,7 @@ bool Session::key(Key key, bool down, Modifiers modifiers) {
     if (key == Key::space) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
     if (key == Key::c) compare(true);
+    if (key == Key::n && !again) surprise();
   } else {
     keys_down_.erase(key);
     if (key == Key::c) compare(false);
@@ -220,6 +221,13 @@ void Session::compare(bool wanted) {
   comparing_ = wanted;
   planet_stale_ = true;
   panel_frames_ = std::max(panel_frames_, 2);
+}
+
+void Session::surprise() {
+  if (hand_is_busy()) return;
+  history_.begin();
+  panel_.surprise(document_);
+  scene_was_changed();
 }
 
 Scene Session::shown() const {
@@ -366,7 +374,15 @@ void Session::run_panel() {
   if (panel_.covered_below() != covered) planet_stale_ = true;
   if (had_keyboard && !panel_.has_keyboard()) tab_leads_out_ = ImGui::IsKeyDown(ImGuiKey_Escape);
   ImGui::Render();
+  keep_habits();
   obey(wishes);
+}
+
+void Session::keep_habits() {
+  std::string habits = panel_.habits();
+  if (habits == kept_habits_) return;
+  kept_habits_ = std::move(habits);
+  if (host_.keep_habits) host_.keep_habits(kept_habits_);
 }
 
 void Session::obey(const PanelWishes& wishes) {
@@ -482,6 +498,12 @@ void Session::show_panel(bool shown) {
   panel_shown_ = shown;
   if (!shown) hand_on_value_ = false;
   if (panel_.covered_below() > 0.0F) planet_stale_ = true;
+  panel_frames_ = 3;
+}
+
+void Session::take_habits(const std::string& habits) {
+  panel_.take_habits(habits);
+  kept_habits_ = panel_.habits();
   panel_frames_ = 3;
 }
 

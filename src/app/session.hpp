@@ -26,12 +26,13 @@ class Session {
  public:
   // What the surroundings do for the session.
   struct Host {
-    std::function<void()> scene_changed;                // by the user or by a call
-    std::function<void(const std::string&)> copy_text;  // to the clipboard
-    std::function<void(const std::string&)> save_json;  // offers a file
-    std::function<void()> open_json;                    // asks for a file; comes back through load_json
-    std::function<void()> save_picture;                 // offers a picture of the window
-    std::function<void()> fill_screen;                  // the whole one, or back; empty where that cannot be
+    std::function<void()> scene_changed;                  // by the user or by a call
+    std::function<void(const std::string&)> copy_text;    // to the clipboard
+    std::function<void(const std::string&)> save_json;    // offers a file
+    std::function<void()> open_json;                      // asks for a file; comes back through load_json
+    std::function<void()> save_picture;                   // offers a picture of the window
+    std::function<void(const std::string&)> keep_habits;  // the panel's, for take_habits at the next visit
+    std::function<void()> fill_screen;                    // the whole one, or back; empty where that cannot be
   };
 
   explicit Session(Host host);
@@ -86,6 +87,8 @@ class Session {
   void set_paused(bool paused);
   void set_seconds(double seconds);
   void show_panel(bool shown);
+  // What the host was given to keep, or nothing.
+  void take_habits(const std::string& habits);
   void add_notices(const std::vector<std::string>& sentences);
 
   // Draws the planet as it is at a time, complete, and waits until it is there. Leaves the clock at that time.
@@ -108,6 +111,7 @@ class Session {
   // What is drawn: the scene or, while comparing, the planet as it was opened, seen from where the camera is now.
   Scene shown() const;
   void compare(bool wanted);
+  void surprise();
   void scene_was_changed();
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);
@@ -117,6 +121,7 @@ class Session {
   void update_pushes();
   void run_panel();
   void obey(const PanelWishes& wishes);
+  void keep_habits();
   void advance_clock(double seconds);
   void draw_planet(double now);
   void note_frame_time(double now);
@@ -130,6 +135,7 @@ class Session {
   ImGuiContext* imgui_;
   std::unique_ptr<PanelPainter> painter_;  // from when the panel first runs in a context
   Panel panel_;
+  std::string kept_habits_ = panel_.habits();
   CameraControl camera_;
   std::unique_ptr<Renderer> renderer_;
 

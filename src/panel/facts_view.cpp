@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "panel/quantity.hpp"
+#include "panel/sections.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -30,9 +31,7 @@ std::string one_decimal(double value) { return short_number(std::round(value * 1
 }  // namespace
 
 void decisions_section(const Sheet& sheet) {
-  const bool open = ImGui::CollapsingHeader("What is modelled");
-  sheet.place("decisions");
-  if (!open) return;
+  if (!section_header(sheet, decisions_name, "What is modelled")) return;
   for (const PanelFacts::Decision& decision : sheet.facts.decisions) {
     const auto chosen = [&] {
       ImGui::TextWrapped("%s", decision.what.c_str());
@@ -44,9 +43,7 @@ void decisions_section(const Sheet& sheet) {
 }
 
 void statistics_section(const Sheet& sheet) {
-  const bool open = ImGui::CollapsingHeader("Statistics");
-  sheet.place("statistics");
-  if (!open) return;
+  if (!section_header(sheet, statistics_name, "Statistics")) return;
   const PanelFacts& facts = sheet.facts;
   if (facts.frame_ms > 0.0) {
     fact("Frame", text_of(one_decimal(facts.frame_ms), " ms, ", one_decimal(1000.0 / facts.frame_ms), " fps"));

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "panel/finger_scroll.hpp"
+#include "panel/mix.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -19,8 +20,8 @@ void continue_at_right(float width) {
   ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width, 0.0F);
 }
 
-void preset_list(Sheet& sheet) {
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+void preset_list(Sheet& sheet, float width) {
+  ImGui::SetNextItemWidth(width);
   const bool open = ImGui::BeginCombo("##presets", sheet.preset->title.c_str(), ImGuiComboFlags_HeightLargest);
   sheet.place("preset");
   if (!open) return tooltip(text_of(sheet.preset->about, '.'));
@@ -33,6 +34,21 @@ void preset_list(Sheet& sheet) {
     tooltip(text_of(preset.about, '.'));
   }
   ImGui::EndCombo();
+}
+
+void preset_row(Sheet& sheet) {
+  const float room = ImGui::GetContentRegionAvail().x, space = ImGui::GetStyle().ItemSpacing.x;
+  const float wide = std::min(points(58.0F), 0.28F * room), narrow = std::min(points(40.0F), 0.2F * room);
+  preset_list(sheet, room - wide - narrow - 2.0F * space);
+  ImGui::SameLine();
+  bool& mix_shown = sheet.memory.mix.shown;
+  if (toggle_button("Mix", mix_shown, narrow)) mix_shown = !mix_shown;
+  sheet.place("mix");
+  tooltip("Mixes the planet with another preset.");
+  ImGui::SameLine();
+  if (ImGui::Button("Random", {wide, 0.0F})) sheet.surprise();
+  sheet.place("random");
+  tooltip("A planet by chance, but for what is locked (N).");
 }
 
 // What stands at the left of the buttons, where there is room for it.
@@ -77,15 +93,6 @@ class ButtonGrid {
   int count_ = 0;
 };
 
-// The font has no letters beyond Latin-1.
-std::string in_latin1(std::string text) {
-  static constexpr std::string_view ellipsis = "\u2026";
-  for (std::size_t at = text.find(ellipsis); at != std::string::npos; at = text.find(ellipsis, at)) {
-    text.replace(at, ellipsis.size(), "...");
-  }
-  return text;
-}
-
 }  // namespace
 
 void title_row(Sheet& sheet) {
@@ -122,7 +129,8 @@ void title_row(Sheet& sheet) {
 }
 
 void head_section(Sheet& sheet) {
-  preset_list(sheet);
+  preset_row(sheet);
+  mix_section(sheet);
 
   ButtonGrid grid(sheet);
   PanelWishes& wishes = sheet.wishes;
@@ -141,34 +149,6 @@ void folded_section(Sheet& sheet) {
   const float width = sheet.memory.below ? points(handle_width) : 0.0F;
   if (ImGui::Button("Panel", {width, 0.0F})) sheet.memory.folded = false;
   sheet.place("unfold");
-}
-
-void notices_section(Sheet& sheet) {
-  if (sheet.facts.notices.empty()) return;
-  // The ground under the text is as high as the text, which is known only when it has been written.
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.ChannelsSplit(2);
-  list.ChannelsSetCurrent(1);
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, margin = points(6.0F), button = ImGui::GetFrameHeight();
-  ImGui::Dummy({0.0F, 0.0F});
-  ImGui::Indent(margin);
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - 3.0F * margin);
-  ImGui::BeginGroup();
-  for (const std::string& notice : sheet.facts.notices) ImGui::TextWrapped("%s", in_latin1(notice).c_str());
-  ImGui::EndGroup();
-  ImGui::PopTextWrapPos();
-  ImGui::Unindent(margin);
-  ImGui::SameLine(ImGui::GetCursorPosX() + width - button - margin, 0.0F);
-  if (ImGui::Button("x", {button, 0.0F})) sheet.wishes.dismiss_notices = true;
-  sheet.place("dismiss");
-  tooltip("Dismiss.");
-  const ImVec2 to{from.x + width, ImGui::GetCursorScreenPos().y};
-  list.ChannelsSetCurrent(0);
-  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);
-  list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Border), ImGui::GetStyle().FrameRounding);
-  list.ChannelsMerge();
-  ImGui::Spacing();
 }
 
 void clock_section(Sheet& sheet) {

@@ -11,8 +11,6 @@ void title_row(Sheet& sheet);
 void head_section(Sheet& sheet);
 // All there is of a folded panel.
 void folded_section(Sheet& sheet);
-// Sentences of bad input, if there are any.
-void notices_section(Sheet& sheet);
 // Pause, and the planet's time.
 void clock_section(Sheet& sheet);
 

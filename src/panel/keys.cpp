@@ -18,6 +18,7 @@ constexpr KeyLine planet_lines[] = {
 constexpr KeyLine scene_lines[] = {
     {"Space", "stop the clock, let it go on"},
     {"C, held", "the planet as it was opened"},
+    {"N", "a new planet by chance, but for what is locked"},
     {"Ctrl+Z", "undo"},
     {"Ctrl+Shift+Z, Ctrl+Y", "redo"},
     {"Ctrl+V", "load a scene from the clipboard, as JSON or link"},

@@ -3,8 +3,12 @@
 
 #include <array>
 #include <optional>
+#include <random>
+#include <set>
 #include <string>
 #include <string_view>
+
+#include "scene/surprise.hpp"
 
 namespace terrella {
 
@@ -63,17 +67,47 @@ struct PanelPlace {
   bool folded = false;  // to a button
 };
 
+// What is drawn by chance.
+struct Chance {
+  Locks locked;           // by the user
+  std::minstd_rand dice;  // for the seeds
+};
+
+// The way from a scene to a preset.
+struct Mix {
+  bool shown = false;
+  std::string_view preset;  // its name, empty before the first
+  double share = 0.0;       // of the way
+  Scene from, mixed;        // while share is above 0: the beginning, and what was made last
+};
+
+// Where something was drawn last, pixels.
+struct Box {
+  float left = 0.0F, top = 0.0F, right = 0.0F, bottom = 0.0F;
+};
+
+// The bubbles for newcomers.
+struct Tour {
+  bool wanted = false;
+  int step = 0;
+  Box target;  // the widget to which the bubble points
+};
+
 struct PanelMemory {
   bool below = false;
   std::optional<bool> folded;  // as a hand has left it
   [[nodiscard]] PanelPlace place() const { return {below, folded.value_or(below)}; }
 
-  bool keys_shown = false;  // the list of keys
+  bool keys_shown = false;          // the list of keys
+  std::set<std::string_view> open;  // sections
   Typing typing;
   FingerScroll finger;
   Keyboard keyboard;
   SliderHand hand;
   Search search;
+  Chance chance;
+  Mix mix;
+  Tour tour;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

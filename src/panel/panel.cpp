@@ -2,22 +2,29 @@
 
 #include <imgui.h>
 
+#include <chrono>
 #include <utility>
 
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "panel/facts_view.hpp"
 #include "panel/finger_scroll.hpp"
+#include "panel/habits.hpp"
 #include "panel/head.hpp"
+#include "panel/icon_buttons.hpp"
 #include "panel/keyboard.hpp"
 #include "panel/keys_window.hpp"
+#include "panel/notices.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/place.hpp"
 #include "panel/search.hpp"
 #include "panel/search_field.hpp"
+#include "panel/sections.hpp"
 #include "panel/sheet.hpp"
 #include "panel/slider_hand.hpp"
+#include "panel/tour.hpp"
 #include "panel/widgets.hpp"
+#include "scene/view_groups.hpp"
 
 namespace terrella {
 namespace {
@@ -26,14 +33,20 @@ namespace {
 bool group_header(Sheet& sheet, const Group& group) {
   const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   const std::string name(group.name);
-  const bool open = ImGui::CollapsingHeader(text_of(group.title, "###", name).c_str(), ImGuiTreeNodeFlags_AllowOverlap);
-  sheet.place(name);
+  const bool open = section_header(sheet, group.name, group.title);
   tooltip(text_of(group.help, '.'));
+  // Above the resets and locks of its rows.
   if (sheet.differs(group)) {
-    ImGui::SameLine(right - reset_button_width(), 0.0F);
+    ImGui::SameLine(right - 2.0F * reset_button_width(), 0.0F);
     if (reset_button(("reset " + name).c_str())) sheet.reset(group);
     sheet.place(name, "/reset");
     tooltip("The whole group as it is in the preset.");
+  }
+  if (!is_of_view(group.name)) {
+    ImGui::SameLine(right - reset_button_width(), 0.0F);
+    if (random_button(("random " + name).c_str())) sheet.surprise(group);
+    sheet.place(name, "/random");
+    tooltip("This group by chance, but for what is locked.");
   }
   return open;
 }
@@ -73,6 +86,11 @@ void sections_below_search(Sheet& sheet) {
 
 }  // namespace
 
+Panel::Panel() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  memory_.chance.dice.seed(static_cast<std::minstd_rand::result_type>(now));
+}
+
 PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places) {
   const Preset* preset = find_preset(document.preset);
   CHECK(preset != nullptr, "a document of the preset ", document.preset);
@@ -93,7 +111,9 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
     end_rows(place);
   }
   note_scrolling(memory_.hand.wheel);
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
   end_panel_window();
+  if (!place.folded) tour_bubble(sheet, right);
   keys_window(sheet);
   scroll_by_finger(memory_.finger);
   give_back_keyboard(memory_.keyboard, memory_.keys_shown);
@@ -103,6 +123,15 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   }
   covered_below_ = height_of_sheet(memory_.place());
   return sheet.wishes;
+}
+
+std::string Panel::habits() const { return habits_of(memory_); }
+
+void Panel::take_habits(std::string_view text) { terrella::take_habits(memory_, text); }
+
+void Panel::surprise(SceneDocument& document) {
+  const Chance& chance = memory_.chance;
+  document.scene = terrella::surprise(document.scene, chance.locked, static_cast<std::uint32_t>(memory_.chance.dice()));
 }
 
 void Panel::start_search() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "panel/memory.hpp"
@@ -47,7 +48,8 @@ struct PanelWishes {
 };
 
 // Where something that can be clicked lies, in pixels: "terrain" (a group's header), "terrain.height" (its slider),
-// "terrain.height/reset", "copy_link", "preset/storm".
+// "terrain.height/reset", "terrain/random", "copy_link", "preset/storm",
+// "notice/waves.count".
 struct WidgetPlace {
   std::string name;
   float left, top, right, bottom;
@@ -55,6 +57,8 @@ struct WidgetPlace {
 
 class Panel {
  public:
+  Panel();
+
   // Between ImGui::NewFrame and ImGui::Render. The panel takes the left edge of the window, or its lower one. Where
   // `places` is given, the place of every widget drawn is added to it.
   PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
@@ -73,6 +77,12 @@ class Panel {
   void take_keyboard() { memory_.keyboard.wanted = true; }
   // Whether it has been there since the last frame.
   [[nodiscard]] bool has_keyboard() const { return memory_.keyboard.here; }
+  // What is to be kept until the next visit, as a line of text (panel/habits.hpp).
+  [[nodiscard]] std::string habits() const;
+  void take_habits(std::string_view text);
+
+  // Draws the planet anew by chance, but for what is locked.
+  void surprise(SceneDocument& document);
 
   // Shows the list of keys, or closes it.
   void toggle_keys() { memory_.keys_shown = !memory_.keys_shown; }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "panel/icon_buttons.hpp"
 #include "panel/keyboard.hpp"
 #include "panel/quantity.hpp"
 #include "panel/slider_hand.hpp"
@@ -16,8 +17,9 @@
 namespace terrella {
 namespace {
 
-constexpr float label_width = 124.0F;   // points
-constexpr double widest_slider = 5000;  // of whole numbers; beyond, a pixel would skip too many
+constexpr float label_width = 124.0F;          // points
+constexpr float narrowest_with_lock = 220.0F;  // points
+constexpr double widest_slider = 5000;         // of whole numbers; beyond, a pixel would skip too many
 
 // "ridge_sharpness" as "Ridge sharpness"
 std::string label_of(const Parameter& parameter) {
@@ -128,6 +130,13 @@ void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
   if (ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput) sheet.wishes.dragging = true;
 }
 
+// Returns whether the pointer is on it.
+bool lock(Sheet& sheet, const Parameter& parameter, bool shown) {
+  if (lock_button("lock", sheet.locked(parameter), shown)) sheet.toggle_lock(parameter);
+  sheet.place(parameter.path, "/lock");
+  return ImGui::IsItemHovered();
+}
+
 std::string text_of_value(const Parameter& parameter, const Scene& scene) {
   const std::string text = to_text(parameter.get(scene));
   return parameter.unit.empty() ? text : text_of(text, ' ', parameter.unit);
@@ -140,6 +149,7 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
   quiet_text(text_of(parameter.path, " = ", text_of_value(parameter, sheet.document.scene)));
   if (differs) quiet_text(text_of("In the preset: ", text_of_value(parameter, sheet.preset->scene)));
   if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), '.'));
+  if (sheet.locked(parameter)) quiet_text("Locked: Random leaves it as it is.");
   const char* const by_hand = "Double click to type. The wheel goes in small steps; Ctrl is finer.";
   const char* const by_key = "Enter to type. Left and Right go in small steps; Ctrl is finer.";
   if (has_slider(parameter)) quiet_text(keyboard_is_here() ? by_key : by_hand);
@@ -150,27 +160,39 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
 
 void parameter_row(Sheet& sheet, const Parameter& parameter) {
   const bool differs = sheet.differs(parameter);
+  const float button = reset_button_width();
   ImGui::PushID(parameter.path.data(), parameter.path.data() + parameter.path.size());
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
+  const bool pointed_at = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
+  const float room_of_lock = width < points(narrowest_with_lock) ? 0.0F : button;
 
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(differs ? ImGuiCol_CheckMark : ImGuiCol_Text));
   ImGui::TextUnformatted(label_of(parameter).c_str());
   ImGui::PopStyleColor();
   ImGui::SameLine(ImGui::GetCursorPosX() + points(label_width), 0.0F);
-  value_widget(sheet, parameter, width - points(label_width) - reset_button_width());
+  value_widget(sheet, parameter, width - points(label_width) - button - room_of_lock);
   const bool focused = keyboard_is_here() && ImGui::IsItemFocused() && !ImGui::IsItemActive();
   if (focused) explain(sheet, parameter, differs);
   if (differs) {
-    ImGui::SameLine(ImGui::GetCursorPosX() + width - reset_button_width(), 0.0F);
+    ImGui::SameLine(ImGui::GetCursorPosX() + width - button - room_of_lock, 0.0F);
     if (reset_button("reset")) sheet.reset(parameter);
     sheet.place(parameter.path, "/reset");
   }
+  bool on_lock = false;
+  if (room_of_lock > 0.0F && is_for_chance(parameter)) {
+    ImGui::SameLine(ImGui::GetCursorPosX() + width - room_of_lock, 0.0F);
+    on_lock = lock(sheet, parameter, pointed_at);
+  }
 
-  const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
-  const bool hovered = !keyboard_is_here() && ImGui::IsWindowHovered();
-  if (hovered && ImGui::IsMouseHoveringRect(from, to)) explain(sheet, parameter, differs);
+  if (on_lock) {
+    tooltip(sheet.locked(parameter) ? "Random leaves this value as it is. Click to unlock it."
+                                    : "Click to lock this value: Random will leave it as it is.");
+  } else if (pointed_at && !keyboard_is_here()) {
+    explain(sheet, parameter, differs);
+  }
   ImGui::PopID();
 }
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "base/text.hpp"
+#include "panel/tour.hpp"
 
 namespace terrella {
 
@@ -37,9 +38,32 @@ void Sheet::start_from(const Preset& other) {
   wishes.scene_replaced = true;
 }
 
+void Sheet::surprise() { surprise_but_for(memory.chance.locked); }
+
+void Sheet::surprise(const Group& group) {
+  Locks locks = memory.chance.locked;
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.group != group.name) locks.insert(parameter.path);
+  }
+  surprise_but_for(locks);
+}
+
+void Sheet::surprise_but_for(const Locks& locked) {
+  const Scene drawn = terrella::surprise(document.scene, locked, static_cast<std::uint32_t>(memory.chance.dice()));
+  if (drawn == document.scene) return;
+  document.scene = drawn;
+  wishes.scene_changed = true;
+}
+
+void Sheet::toggle_lock(const Parameter& parameter) {
+  Locks& locks = memory.chance.locked;
+  if (locks.erase(parameter.path) == 0) locks.insert(parameter.path);
+}
+
 void Sheet::place(std::string_view name, std::string_view suffix) const {
-  if (places == nullptr) return;
   const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+  if (suffix.empty() && name == tour_target(memory.tour)) memory.tour.target = {from.x, from.y, to.x, to.y};
+  if (places == nullptr) return;
   places->push_back({text_of(name, suffix), from.x, from.y, to.x, to.y});
 }
 

@@ -25,8 +25,17 @@ struct Sheet {
   void reset(const Group& group);
   void start_from(const Preset& other);
 
-  // Notes where the widget that was drawn last lies.
+  // By chance, but for what is locked.
+  void surprise();
+  void surprise(const Group& group);
+  bool locked(const Parameter& parameter) const { return memory.chance.locked.contains(parameter.path); }
+  void toggle_lock(const Parameter& parameter);
+
+  // Notes where the widget that was drawn last lies, for tests and for the tour.
   void place(std::string_view name, std::string_view suffix = {}) const;
+
+ private:
+  void surprise_but_for(const Locks& locked);
 };
 
 }  // namespace terrella

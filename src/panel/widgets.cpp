@@ -104,6 +104,24 @@ bool choice_row(const std::string& text, bool chosen) {
   return ImGui::Selectable(text.c_str(), chosen, ImGuiSelectableFlags_None, {0.0F, height});
 }
 
+bool toggle_button(const char* label, bool on, float width) {
+  const ImVec4 color = ImGui::GetStyleColorVec4(on ? ImGuiCol_ButtonActive : ImGuiCol_Button);
+  ImGui::PushStyleColor(ImGuiCol_Button, color);
+  const bool pressed = ImGui::Button(label, {width, 0.0F});
+  ImGui::PopStyleColor();
+  return pressed;
+}
+
+bool link_button(const char* label) {
+  const ImVec2 from = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(label);
+  const bool pressed = ImGui::InvisibleButton(label, size);
+  const unsigned color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_CheckMark);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(from, color, label);
+  list.AddLine({from.x, from.y + size.y}, {from.x + size.x, from.y + size.y}, color);
+  return pressed;
+}
+
 void quiet_text(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   ImGui::TextWrapped("%s", text.c_str());

@@ -25,6 +25,12 @@ bool full_screen_button(const char* id);
 // An entry of an open list, as high as a row of the panel.
 bool choice_row(const std::string& text, bool chosen);
 
+// A button that looks pressed while something is on.
+bool toggle_button(const char* label, bool on, float width);
+
+// A text to click, underlined.
+bool link_button(const char* label);
+
 // A line of text in the colour of what matters less, wrapped.
 void quiet_text(const std::string& text);
 

@@ -14,6 +14,11 @@ std::optional<std::uint32_t> hex_digit(char c) {
   return std::nullopt;
 }
 
+std::uint8_t encoded_light(double light) {
+  const double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+}
+
 }  // namespace
 
 std::string to_text(Color color) {
@@ -37,6 +42,13 @@ std::optional<Color> parse_color(std::string_view text) {
 double linear_light(std::uint8_t channel) {
   const double encoded = channel / 255.0;
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+Color mixed(Color from, Color to, double share) {
+  const auto channel = [share](std::uint8_t a, std::uint8_t b) {
+    return encoded_light(std::lerp(linear_light(a), linear_light(b), share));
+  };
+  return {channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b)};
 }
 
 }  // namespace terrella

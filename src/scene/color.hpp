@@ -28,4 +28,7 @@ std::optional<Color> parse_color(std::string_view text);
 // The light of a channel, 0 to 1, by sRGB's transfer function.
 double linear_light(std::uint8_t channel);
 
+// A colour between two others, mixed as light is; share: 0 gives `from`, 1 gives `to`.
+Color mixed(Color from, Color to, double share);
+
 }  // namespace terrella

@@ -39,6 +39,9 @@ struct Parameter {
   Field (*field)(Scene&);
 
   bool is_length() const { return slider_max > 0; }
+  // Lengths and speeds, but for the radius itself: on a planet ten times as large ten times the value looks the same.
+  bool grows_with_planet() const { return (is_length() || unit == "m/s") && path != "planet.radius"; }
+  bool is_seed() const { return name == "seed"; }
   Value get(const Scene& scene) const;
 };
 

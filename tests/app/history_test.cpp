@@ -77,6 +77,16 @@ TEST_F(HistoryTest, NotchesOnAnotherParameterAreAnotherStep) {
   EXPECT_EQ(steps_back(), 2);
 }
 
+TEST_F(HistoryTest, NotchesThatChangeSeveralParametersGoTogetherToo) {
+  for (int i = 1; i <= 3; ++i) {
+    history.go_on(History::Means::wheel, 0.1 * i);
+    now.document.scene.waves.spread = 0.1 * i;
+    steepness(0.1 * i, 0.1 * i);
+  }
+  EXPECT_EQ(undone(), first);
+  EXPECT_FALSE(history.can_undo());
+}
+
 TEST_F(HistoryTest, TheCameraIsOneThingAndAHeldKeyOneStep) {
   for (int i = 1; i < 100; ++i) {
     const double seconds = 0.03 * i;

@@ -72,6 +72,7 @@ class SessionTest : public testing::Test {
     Session::Host host;
     host.scene_changed = [this] { ++changes; };
     host.fill_screen = [this] { ++screens; };
+    host.keep_habits = [this](const std::string& habits) { kept.push_back(habits); };
     return host;
   }
 
@@ -80,7 +81,8 @@ class SessionTest : public testing::Test {
   double now_ = 1.0;
 
  protected:
-  int changes = 0, screens = 0;  // told to the host
+  int changes = 0, screens = 0;   // told to the host
+  std::vector<std::string> kept;  // by the host
   Session session;
 };
 
@@ -272,6 +274,35 @@ TEST_F(SessionTest, ComparingEndsWhenTheKeyboardGoesElsewhere) {
   EXPECT_NE(pixels(), changed);
   session.keys_left();
   EXPECT_EQ(pixels(), changed);
+}
+
+TEST_F(SessionTest, APlanetByChanceIsOneStep) {
+  settle();
+  const SceneDocument start = session.document();
+  session.key(Key::n, true, {});
+  const SceneDocument first = session.document();
+  EXPECT_NE(first, start);
+  session.key(Key::n, true, {});  // it repeats while it is held
+  EXPECT_EQ(session.document(), first);
+  session.key(Key::n, false, {});
+  tap(Key::n);
+  EXPECT_NE(session.document(), first);
+  tap(Key::z, control);
+  EXPECT_EQ(session.document(), first);
+  tap(Key::z, control);
+  EXPECT_EQ(session.document(), start);
+}
+
+TEST_F(SessionTest, HabitsAreKeptWhenTheyChangeAndNotBefore) {
+  session.load_link("quality.resolution_scale=0.25");
+  session.resize(640, 400, 1.0);
+  session.take_habits("folded waves");
+  session.show_panel(true);
+  settle();
+  EXPECT_EQ(kept, std::vector<std::string>{});
+  session.text('/');  // unfolds
+  settle();
+  EXPECT_EQ(kept, std::vector<std::string>{"waves"});
 }
 
 TEST_F(SessionTest, ComparingKeepsTheCamera) {

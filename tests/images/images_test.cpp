@@ -308,8 +308,8 @@ TEST(Pictures, DrawnInTilesAreThoseDrawnAtOnce) {
       tiled.largest_tile = 64;
       const Image at_once = take_picture(studio.renderer, scene, whole);
       const Image in_tiles = take_picture(studio.renderer, scene, tiled);
-      // Dither begins anew in each tile; edges are smoothed a little differently. Measured: 50.8 dB and 0.14, of cut out
-      // ones 55.7 dB and 0.0074, which is two steps of 8 bits.
+      // Dither begins anew in each tile; edges are smoothed a little differently. Measured: 50.8 dB and 0.14, of cut
+      // out ones 55.7 dB and 0.0074, which is two steps of 8 bits.
       EXPECT_GT(psnr(at_once, in_tiles), 49.0) << name << alone;
       EXPECT_LT(largest_difference(at_once, in_tiles), alone ? 0.008 : 0.2) << name << alone;
     }

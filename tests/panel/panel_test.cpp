@@ -243,13 +243,6 @@ TEST_F(PanelTest, TheClockStopsGoesOnAndIsMoved) {
   EXPECT_EQ(click("seconds/reset").seconds, 0.0);
 }
 
-TEST_F(PanelTest, NoticesAreShownUntilDismissed) {
-  EXPECT_EQ(count_of("dismiss"), 0);
-  facts.notices = {"waves.steepness: 7 is out of range; allowed are 0 to 1.", "%s%n, as it was given\u2026"};
-  frames(2);
-  EXPECT_TRUE(click("dismiss").dismiss_notices);
-}
-
 TEST_F(PanelTest, FactsOfAnySizeAreShown) {
   facts.frame_ms = 16.7;
   facts.triangles = facts.gpu_bytes = facts.noise_evaluations = INT64_MAX;

@@ -114,6 +114,7 @@ TEST(Pose, AShiftMovesWhatIsSeenOfASphere) {
   View view;
   view.width = 390;
   view.height = 844;
+  view.field = 844.0 / 390.0;
   view.shift = {20.0, -190.0};
   const Pose pose = pose_of(scene, view);
   const PictureBox box = box_of_sphere(pose, view, 1.0);

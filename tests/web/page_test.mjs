@@ -274,6 +274,79 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('keeps what is open in its panel until the next visit', async () => {
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 } });
+    const kept = () => page.evaluate(() => localStorage.getItem('terrella.panel'));
+    const clickOnFirstGroup = async () => {
+      await sleep(500);
+      await page.mouse.move(60, 170);
+      await sleep(500);
+      await page.mouse.down();
+      await sleep(200);
+      await page.mouse.up();
+    };
+    assert.equal(await kept(), '');
+    await clickOnFirstGroup();
+    await until(page, () => localStorage.getItem('terrella.panel') === 'planet');
+    await page.reload();
+    await until(page, () => Boolean(window.terrella));
+    await page.evaluate(() => terrella.ready);
+    await clickOnFirstGroup();  // which is open
+    await until(page, () => localStorage.getItem('terrella.panel') === '');
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('shows a newcomer around, once', async () => {
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 }, newcomer: true });
+    const kept = () => page.evaluate(() => localStorage.getItem('terrella.panel'));
+    assert.equal(await kept(), 'tour');
+    await page.mouse.move(594, 422);
+    await sleep(500);
+    await page.mouse.down();
+    await sleep(200);
+    await page.mouse.up();
+    await until(page, () => localStorage.getItem('terrella.panel') === '');
+    await page.reload();
+    await until(page, () => Boolean(window.terrella));
+    await page.evaluate(() => terrella.ready);
+    await sleep(500);
+    assert.equal(await kept(), '');
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('shows nobody around who asks for no panel', async () => {
+    const page = await open('?panel=0&pause=1', { newcomer: true });
+    assert.equal(await page.evaluate(() => localStorage.getItem('terrella.panel')), null);
+    await page.context().close();
+  });
+
+  test('comes with its panel where a browser lends it no memory', async () => {
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 }, script: () => {
+      Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('no', 'SecurityError'); } });
+    } });
+    const brightness = async () => {
+      await settled(page);
+      return (await look(page)).brightness;
+    };
+    const clickOnFirstGroup = async () => {
+      await page.mouse.move(60, 170);
+      await sleep(500);
+      await page.mouse.down();
+      await sleep(200);
+      await page.mouse.up();
+      await page.mouse.move(790, 490);
+    };
+    const closed = await brightness();
+    await clickOnFirstGroup();
+    assert.notEqual(await brightness(), closed);
+    await clickOnFirstGroup();
+    assert.equal(await brightness(), closed);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('is sharp on a screen with more pixels', async () => {
     const page = await open('?panel=0&pause=1', { deviceScaleFactor: 2 });
     assert.deepEqual(await page.evaluate(() => [document.querySelector('canvas').width, document.querySelector('canvas').height]), [640, 480]);

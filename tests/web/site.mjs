@@ -25,6 +25,7 @@ export function testSite() {
   //   script   runs before the page's own
   //   bare     whether the page is not the one with window.terrella
   //   broken   whether its planet will not come
+  //   newcomer whether it has never been here, and is shown around
   // Without a service worker unless options allow it: it would ask the server while others count.
   site.open = async (query = '', options = {}) => {
     const context = await site.browser.newContext({ viewport: size, screen: { width: 1920, height: 1080 }, serviceWorkers: 'block', ...options });
@@ -36,6 +37,7 @@ export function testSite() {
     page.on('request', request => {
       if (!request.url().startsWith(site.server.url) && !request.url().startsWith('blob:')) page.wrong.push(request.url());
     });
+    if (!options.newcomer) await page.addInitScript(hasBeenHere);
     if (options.script) await page.addInitScript(options.script);
     await page.goto(site.server.url + query);
     if (options.bare) return page;
@@ -44,6 +46,13 @@ export function testSite() {
     return page;
   };
   return site;
+}
+
+// No bubbles over the planet, which tests take hold of.
+function hasBeenHere() {
+  try {
+    if (localStorage.getItem('terrella.panel') === null) localStorage.setItem('terrella.panel', '');
+  } catch { /* a frame, or a browser, without memory */ }
 }
 
 // Waits until nothing has been drawn for two seconds, and returns the number of frames until then.

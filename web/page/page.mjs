@@ -7,9 +7,26 @@ const message = document.getElementById('message');
 const progress = document.getElementById('progress');
 const asked = new URLSearchParams(location.search);
 
+// The panel's habits, from visit to visit. Where a browser lends pages no memory, there are none, and no tour that would
+// come each time. Who asks for no panel is not shown around in it.
+const habitsKey = 'terrella.panel';
+function habits() {
+  try {
+    if (localStorage.getItem(habitsKey) === null && asked.get('panel') !== '0') keepHabits('tour');
+    return localStorage.getItem(habitsKey) ?? '';
+  } catch {
+    return '';
+  }
+}
+function keepHabits(text) {
+  try { localStorage.setItem(habitsKey, text); } catch { /* it forgets */ }
+}
+
 const planet = new Planet(canvas, {
   query: () => location.search,
   linkTo,
+  habits,
+  keepHabits,
   firstSize: () => [innerWidth, innerHeight],  // the style sheet may be on its way
   progressed(share) { progress.value = share; },
   shown() { loading.hidden = true; },

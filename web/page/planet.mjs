@@ -3,7 +3,7 @@
 
 // In the order of terrella::Key.
 const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', '+', '-', ' ',
-  'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'q', 'r', 's', 'v', 'w', 'x', 'y', 'z'];
+  'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'n', 'q', 'r', 's', 'v', 'w', 'x', 'y', 'z'];
 
 const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
 
@@ -33,11 +33,13 @@ export class Planet {
   //   query()            scene, panel and pause, as in a link
   //   linkTo(query)      the link that leads to a scene
   //   firstSize()        in CSS pixels, where the canvas may not have been laid out yet
+  //   habits()           the panel's, as they were kept
+  //   keepHabits(text)   for the next visit
   //   progressed(share), shown(), failed(sentence)
   constructor(canvas, around) {
     this.#canvas = canvas;
     this.#around = { linkTo: query => '?' + query, firstSize: () => [canvas.clientWidth, canvas.clientHeight],
-      progressed() {}, shown() {}, failed() {}, ...around };
+      habits: () => '', keepHabits() {}, progressed() {}, shown() {}, failed() {}, ...around };
     const ready = new Promise((keep, breakIt) => { this.#keepReady = keep; this.#breakReady = breakIt; });
     ready.catch(() => {});  // the surroundings show the sentence; a caller may still ask for it
     this.api = this.#offers(ready);
@@ -64,6 +66,7 @@ export class Planet {
     }
     this.#around.progressed(0.3);
     if (this.#around.query()) this.loadQuery();
+    this.#call('take_habits', ['string'], [this.#around.habits()]);
     this.showPanel();
     this.setClock();
     this.#describe();
@@ -242,6 +245,7 @@ export class Planet {
       },
       // Not on an iPhone, nor in a frame that may not.
       onFillScreen: document.fullscreenEnabled && this.#canvas.requestFullscreen ? () => this.#fillScreen() : null,
+      onKeepHabits: text => this.#around.keepHabits(text),
       onSavePicture: () => this.#screenshot().then(blob => save(blob, 'planet.png')),
     };
   }

@@ -1,0 +1,88 @@
+#include "panel/notices.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panel/widgets.hpp"
+
+namespace terrella {
+namespace {
+
+// The font has no letters beyond Latin-1.
+std::string in_latin1(std::string text) {
+  static constexpr std::string_view ellipsis = "\u2026";
+  for (std::size_t at = text.find(ellipsis); at != std::string::npos; at = text.find(ellipsis, at)) {
+    text.replace(at, ellipsis.size(), "...");
+  }
+  return text;
+}
+
+void search_for(Search& search, const Parameter& parameter) {
+  search.text = {};
+  const std::size_t length = std::min(parameter.path.size(), search.text.size() - 1);
+  std::copy_n(parameter.path.begin(), length, search.text.begin());
+}
+
+void link_to(Sheet& sheet, const Parameter* parameter) {
+  if (parameter == nullptr) return;
+  if (link_button(std::string(parameter->path).c_str())) search_for(sheet.memory.search, *parameter);
+  sheet.place("notice/", parameter->path);
+  tooltip("Shows this parameter.");
+}
+
+void show(Sheet& sheet, const std::string& text) {
+  const Notice notice = notice_of(text);
+  ImGui::PushID(text.c_str());
+  link_to(sheet, notice.about);
+  ImGui::TextWrapped("%s", in_latin1(notice.sentence).c_str());
+  link_to(sheet, notice.suggested);
+  ImGui::PopID();
+}
+
+}  // namespace
+
+Notice notice_of(std::string_view text) {
+  static constexpr std::string_view mark = ": ", question = "did you mean ";
+  Notice notice;
+  const std::size_t end = text.find(mark);
+  if (end != std::string_view::npos) notice.about = find_parameter(text.substr(0, end));
+  if (notice.about != nullptr) text.remove_prefix(end + mark.size());
+  notice.sentence = text;
+  const std::size_t asked = text.rfind(question);
+  if (asked == std::string_view::npos || !text.ends_with('?')) return notice;
+  text.remove_prefix(asked + question.size());
+  text.remove_suffix(1);
+  notice.suggested = find_parameter(text);
+  return notice;
+}
+
+void notices_section(Sheet& sheet) {
+  if (sheet.facts.notices.empty()) return;
+  // The ground under the text is as high as the text, which is known only when it has been written.
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.ChannelsSplit(2);
+  list.ChannelsSetCurrent(1);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, margin = points(6.0F), button = ImGui::GetFrameHeight();
+  ImGui::Dummy({0.0F, 0.0F});
+  ImGui::Indent(margin);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - 3.0F * margin);
+  ImGui::BeginGroup();
+  for (const std::string& notice : sheet.facts.notices) show(sheet, notice);
+  ImGui::EndGroup();
+  ImGui::PopTextWrapPos();
+  ImGui::Unindent(margin);
+  ImGui::SameLine(ImGui::GetCursorPosX() + width - button - margin, 0.0F);
+  if (ImGui::Button("x", {button, 0.0F})) sheet.wishes.dismiss_notices = true;
+  sheet.place("dismiss");
+  tooltip("Dismiss.");
+  const ImVec2 to{from.x + width, ImGui::GetCursorScreenPos().y};
+  list.ChannelsSetCurrent(0);
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);
+  list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Border), ImGui::GetStyle().FrameRounding);
+  list.ChannelsMerge();
+  ImGui::Spacing();
+}
+
+}  // namespace terrella
