@@ -8,7 +8,7 @@ style.replaceSync(`
   :host([hidden]) { display: none; }
   canvas { position: absolute; inset: 0; width: 100%; height: 100%; outline: none; touch-action: none; -webkit-user-select: none; user-select: none; -webkit-touch-callout: none; -webkit-tap-highlight-color: transparent; cursor: grab; }
   canvas:active { cursor: grabbing; }
-  canvas:focus-visible { outline: 2px solid #6aa9ff; outline-offset: -2px; }
+  canvas:focus-visible:not([data-by-hand]) { outline: 2px solid #6aa9ff; outline-offset: -2px; }
   p { position: absolute; inset: 0; display: grid; place-content: center; margin: 1.5rem; text-align: center; font: 16px/1.5 system-ui, sans-serif; }
   p[hidden] { display: none; }
 `);

@@ -343,6 +343,8 @@ function listenToPointers({ canvas, program, wake }) {
     }
   };
   const down = event => {
+    // A frame around the planet is for who came by keys; browsers draw it as well after a call of focus.
+    canvas.toggleAttribute('data-by-hand', true);
     canvas.focus();
     canvas.setPointerCapture(event.pointerId);
     const at = place(event);
@@ -392,5 +394,5 @@ function listenToKeys({ canvas, program, wake }) {
   canvas.addEventListener('keydown', key(true));
   canvas.addEventListener('keyup', key(false));
   // Where the focus has gone somebody else hears of the key that goes up.
-  canvas.addEventListener('blur', () => { program._terrella_keys_left(); wake(); });
+  canvas.addEventListener('blur', () => { canvas.removeAttribute('data-by-hand'); program._terrella_keys_left(); wake(); });
 }
