@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "panel/finger_scroll.hpp"
 #include "panel/mix.hpp"
+#include "panel/preset_combo.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -21,19 +22,11 @@ void continue_at_right(float width) {
 }
 
 void preset_list(Sheet& sheet, float width) {
-  ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo("##presets", sheet.preset->title.c_str(), ImGuiComboFlags_HeightLargest);
-  sheet.place("preset");
-  if (!open) return tooltip(text_of(sheet.preset->about, '.'));
-  for (const Preset& preset : presets()) {
-    if (choice_row(preset.title, &preset == sheet.preset)) {
-      sheet.start_from(preset);
-      sheet.wishes.preset_chosen = true;
-    }
-    sheet.place("preset/", preset.name);
-    tooltip(text_of(preset.about, '.'));
-  }
-  ImGui::EndCombo();
+  const Preset& chosen = *sheet.preset;
+  const Preset* const picked = preset_combo(sheet, "preset", chosen, text_of(chosen.about, '.'), width);
+  if (picked == nullptr) return;
+  sheet.start_from(*picked);
+  sheet.wishes.preset_chosen = true;
 }
 
 void preset_row(Sheet& sheet) {

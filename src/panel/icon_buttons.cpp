@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "panel/keyboard.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -19,6 +20,7 @@ Sign square_button(const char* id) {
   const float side = reset_button_width();
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(id, {side, side});
+  mark_focus();
   return {pressed, ImGui::IsItemHovered(), {from.x + side * 0.5F, from.y + side * 0.5F}, side * 0.3F};
 }
 

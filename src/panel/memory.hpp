@@ -71,6 +71,11 @@ struct PanelPlace {
 struct Chance {
   Locks locked;           // by the user
   std::minstd_rand dice;  // for the seeds
+
+  // The next planet by chance, but for some locks.
+  Scene draw(const Scene& scene, const Locks& but_for) {
+    return surprise(scene, but_for, static_cast<std::uint32_t>(dice()));
+  }
 };
 
 // The way from a scene to a preset.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "panel/preset_combo.hpp"
 #include "panel/slider_hand.hpp"
 #include "panel/widgets.hpp"
 #include "scene/morph.hpp"
@@ -35,18 +36,6 @@ void mix_to(Sheet& sheet, const Preset& preset, double share) {
   if (scene != before) sheet.wishes.scene_changed = true;
 }
 
-void list_of_presets(Sheet& sheet, const Preset& chosen) {
-  const bool open = ImGui::BeginCombo("##mix_preset", chosen.title.c_str(), ImGuiComboFlags_HeightLargest);
-  sheet.place("mix/preset");
-  if (!open) return tooltip("The preset to mix with.");
-  for (const Preset& preset : presets()) {
-    const bool picked = ImGui::Selectable(preset.title.c_str(), &preset == &chosen);
-    sheet.place("mix/preset/", preset.name);
-    if (picked) mix_to(sheet, preset, sheet.memory.mix.share);
-  }
-  ImGui::EndCombo();
-}
-
 void slider(Sheet& sheet, const Preset& preset, float width) {
   const double share = sheet.memory.mix.share;
   bar("##mix_share", share, text_of(std::lround(100.0 * share), " %"), width);
@@ -69,8 +58,8 @@ void mix_section(Sheet& sheet) {
   const Preset* const remembered = find_preset(mix.preset);
   const Preset& preset = remembered != nullptr ? *remembered : presets()[1];
   const float room = ImGui::GetContentRegionAvail().x, space = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SetNextItemWidth(label_share * room);
-  list_of_presets(sheet, preset);
+  const Preset* const picked = preset_combo(sheet, "mix/preset", preset, "The preset to mix with.", label_share * room);
+  if (picked != nullptr) mix_to(sheet, *picked, mix.share);
   ImGui::SameLine();
   slider(sheet, preset, (1.0F - label_share) * room - space);
 }

@@ -130,8 +130,7 @@ std::string Panel::habits() const { return habits_of(memory_); }
 void Panel::take_habits(std::string_view text) { terrella::take_habits(memory_, text); }
 
 void Panel::surprise(SceneDocument& document) {
-  const Chance& chance = memory_.chance;
-  document.scene = terrella::surprise(document.scene, chance.locked, static_cast<std::uint32_t>(memory_.chance.dice()));
+  document.scene = memory_.chance.draw(document.scene, memory_.chance.locked);
 }
 
 void Panel::start_search() {

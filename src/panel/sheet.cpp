@@ -49,7 +49,7 @@ void Sheet::surprise(const Group& group) {
 }
 
 void Sheet::surprise_but_for(const Locks& locked) {
-  const Scene drawn = terrella::surprise(document.scene, locked, static_cast<std::uint32_t>(memory.chance.dice()));
+  const Scene drawn = memory.chance.draw(document.scene, locked);
   if (drawn == document.scene) return;
   document.scene = drawn;
   wishes.scene_changed = true;

@@ -119,6 +119,7 @@ bool link_button(const char* label) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText(from, color, label);
   list.AddLine({from.x, from.y + size.y}, {from.x + size.x, from.y + size.y}, color);
+  mark_focus();
   return pressed;
 }
 
