@@ -1,11 +1,12 @@
-#include "scene_block.glsl"
 #include "frame_block.glsl"
+
+uniform float shell;  // radius
 
 layout(location = 0) in vec3 direction;
 
 out vec3 surface_from_eye;
 
 void main() {
-  surface_from_eye = from_eye(direction * (1.0 + clouds_height));
+  surface_from_eye = from_eye(direction * shell);
   gl_Position = clip_from_eye * vec4(surface_from_eye, 1.0);
 }

@@ -23,7 +23,7 @@ Terrain scene_terrain() {
   t.craters.sizes = terrain_crater_sizes;
   t.craters.seed = uint(planet_seed);
   t.ice.sea = water_level;
-  t.ice.sine = water_ice_latitude < 90.0 ? sin(radians(water_ice_latitude)) : 2.0;
+  t.ice.sine = polar_sine(water_ice_latitude);
   t.ice.seed = uint(planet_seed);
   return t;
 }

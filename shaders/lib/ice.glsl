@@ -8,6 +8,11 @@ struct Ice {
   uint seed;
 };
 
+// Sine of the latitude (deg) from which on something lies around the poles; above 1 from 90 on: nowhere.
+float polar_sine(float latitude) {
+  return latitude < 90.0 ? sin(radians(latitude)) : 2.0;
+}
+
 // Height of ice over the water, radii.
 const float ice_thickness = 0.0012;
 

@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "formulas/formulas.hpp"
+#include "passes/shell.hpp"
 #include "planet/spheres.hpp"
 
 namespace terrella {
@@ -148,17 +147,7 @@ void CloudsShell::set_cyclones(const Scene& scene) {
 void CloudsShell::bind_map(double level) { (coarse_in_use_ ? coarse_ : fine_)->bind(gl::unit_clouds, level); }
 
 void CloudsShell::draw(const Frame& frame) {
-  const double shell = cloud_radius(frame.scene);
-  const bool above = glm::dot(frame.pose.eye, frame.pose.eye) > shell * shell;
-  // From above, the near side of the shell is seen; from below, all of it that the ground does not hide.
-  const int level = frame.needs.cloud_level;
-  const double occluder = (above ? shell : 1.0) * (1.0 - icosphere_sag(level));
-  const std::vector<float> tops(group_count, static_cast<float>(shell));
-  draw_program_.use();
-  glEnable(GL_CULL_FACE);
-  glCullFace(above ? GL_BACK : GL_FRONT);
-  spheres_.directions(level).draw(visible_groups(sight_of(frame), occluder, tops));
-  glCullFace(GL_BACK);
+  draw_shell(spheres_, draw_program_, frame, frame.needs.cloud_level, cloud_radius(frame.scene));
 }
 
 }  // namespace terrella

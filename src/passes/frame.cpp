@@ -91,10 +91,9 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   const Color tint = scene.water.tint;
   const glm::dvec3 tint_light(linear_light(tint.r), linear_light(tint.g), linear_light(tint.b));
   block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
-  const double snow_latitude = scene.terrain.snow_latitude;
-  const double snow_sine = snow_latitude >= 90.0 ? 2.0 : std::sin(glm::radians(snow_latitude));
   // Where the sea freezes, snow lies on the ground.
-  const double ice_sine = has_ice(scene) ? std::sin(glm::radians(scene.water.ice_latitude)) - 0.1 : 2.0;
+  const double snow_sine = f64::polar_sine(scene.terrain.snow_latitude);
+  const double ice_sine = has_ice(scene) ? f64::polar_sine(scene.water.ice_latitude) - 0.1 : snow_sine;
   block.levels = glm::vec4(std::min(snow_sine, ice_sine), needs.water_lift, maps.ground_level, 0.0);
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;

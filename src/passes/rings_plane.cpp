@@ -1,10 +1,8 @@
 #include "passes/rings_plane.hpp"
 
-#include <vector>
-
 #include <glm/geometric.hpp>
 
-#include "planet/rings.hpp"
+#include "passes/shell.hpp"
 
 namespace terrella {
 namespace {
@@ -22,15 +20,8 @@ void RingsPlane::draw(float side) {
 }
 
 void RingsPlane::draw_shadow(const Frame& frame) {
-  const double shell = ring_shadow_radius(frame.scene);
-  if (glm::length(frame.pose.eye) <= shell) return;
-  shadow_program_.use();
-  shadow_program_.set("shell", static_cast<float>(shell));
-  const std::vector<float> tops(group_count, static_cast<float>(shell));
-  glEnable(GL_CULL_FACE);
-  spheres_.directions(shadow_level)
-      .draw(visible_groups(sight_of(frame), shell * (1.0 - icosphere_sag(shadow_level)), tops));
-  glDisable(GL_CULL_FACE);
+  const double shell = top_radius(frame.scene);
+  if (glm::length(frame.pose.eye) > shell) draw_shell(spheres_, shadow_program_, frame, shadow_level, shell);
 }
 
 }  // namespace terrella

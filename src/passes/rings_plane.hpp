@@ -27,7 +27,7 @@ class RingsPlane {
 
   SphereMeshes& spheres_;
   gl::Program program_{"rings/plane"};
-  gl::Program shadow_program_{"rings/shadow"};
+  gl::Program shadow_program_{"rings/shadow", "clouds/shell"};
   gl::Strip strip_;
 };
 

@@ -17,15 +17,6 @@
 namespace terrella {
 namespace {
 
-// The highest that anything of the planet rises, radii.
-double top_radius(const Scene& scene) {
-  double top = 1.0;
-  if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
-  if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
-  if (scene.clouds.model != 0) top = std::max(top, cloud_radius(scene));
-  return top;
-}
-
 void set_depth_range(Pose& pose, double top, double rings) {
   const double distance = glm::length(pose.eye);
   const double to_horizon = std::sqrt(std::max(0.0, (distance - 1.0) * (distance + 1.0)));
@@ -116,6 +107,14 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
   const double edge_y = pose.tan_half_fov, edge_x = edge_y * view.width / view.height;
   const double x = view.shift.x / view.width, y = -view.shift.y / view.height;
   return {part(left, edge_x, x), part(bottom, edge_y, y), part(right, edge_x, x), part(top, edge_y, y)};
+}
+
+double top_radius(const Scene& scene) {
+  double top = 1.0;
+  if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
+  if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
+  if (scene.clouds.model != 0) top = std::max(top, cloud_radius(scene));
+  return top;
 }
 
 double outermost_radius(const Scene& scene) {

@@ -1,13 +1,9 @@
 #include "planet/rings.hpp"
 
-#include <algorithm>
-
 #include <glm/geometric.hpp>
 
 #include "formulas/formulas.hpp"
 #include "planet/pose.hpp"
-#include "planet/spheres.hpp"
-#include "planet/terrain.hpp"
 
 namespace terrella {
 
@@ -15,16 +11,8 @@ bool has_rings(const Scene& scene) { return scene.rings.density > 0.0 && scene.r
 
 double rings_radius(const Scene& scene) { return has_rings(scene) ? scene.rings.outer / scene.planet.radius : 0.0; }
 
-double ring_shadow_radius(const Scene& scene) {
-  double radius = 1.0;
-  if (has_ground(scene)) radius = std::max(radius, 1.0 + scene.terrain.height / scene.planet.radius);
-  if (has_water(scene)) radius = std::max(radius, water_radius(scene));
-  if (scene.clouds.model != 0) radius = std::max(radius, cloud_radius(scene));
-  return radius;
-}
-
 double ring_shade_around(const Scene& scene, const glm::dvec3& eye) {
-  if (!has_rings(scene) || glm::length(eye) > ring_shadow_radius(scene)) return 1.0;
+  if (!has_rings(scene) || glm::length(eye) > top_radius(scene)) return 1.0;
   const double radius = scene.planet.radius;
   const glm::dvec3 sun = direction_of(scene.sun.latitude, scene.sun.longitude);
   return f64::ring_shade(eye, sun, scene.rings.inner / radius, scene.rings.outer / radius, scene.rings.density,

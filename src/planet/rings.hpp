@@ -13,10 +13,8 @@ bool has_rings(const Scene& scene);
 // At which they end; 0 without rings.
 double rings_radius(const Scene& scene);
 
-// Of the sphere on which their shadow is drawn: the highest of ground, sea and clouds.
-double ring_shadow_radius(const Scene& scene);
-
-// Part of the sunlight that they leave at the eye and all around it where it is within that sphere; 1 outside.
+// Part of the sunlight that they leave at the eye and all around it where it is not above all that
+// they shade (top_radius); 1 above.
 double ring_shade_around(const Scene& scene, const glm::dvec3& eye);
 
 }  // namespace terrella

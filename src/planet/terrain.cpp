@@ -1,10 +1,8 @@
 #include "planet/terrain.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "planet/icosphere.hpp"
 
@@ -27,7 +25,7 @@ f32::Terrain terrain_of(const Scene& scene) {
   terrain.craters.sizes = from.crater_sizes;
   terrain.craters.seed = static_cast<unsigned>(scene.planet.seed);
   terrain.ice.sea = static_cast<float>(water_level(scene) / scene.planet.radius);
-  terrain.ice.sine = has_ice(scene) ? static_cast<float>(std::sin(glm::radians(scene.water.ice_latitude))) : 2.0F;
+  terrain.ice.sine = static_cast<float>(f64::polar_sine(scene.water.ice_latitude));
   terrain.ice.seed = static_cast<unsigned>(scene.planet.seed);
   return terrain;
 }
