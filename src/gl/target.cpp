@@ -68,7 +68,7 @@ namespace {
 // Browsers clear a canvas that they have shown before the first draw or clear that follows, but not before a blit: they
 // would clear what was copied. So a clear comes before it; of one pixel, which costs nothing.
 void claim(const Screen& screen) {
-  const Scissors corner(0, 0, 1, 1);
+  const Scissors corner({0, 0, 1, 1});
   screen.begin();
   glClear(GL_COLOR_BUFFER_BIT);
 }
@@ -84,9 +84,9 @@ void copy(const Target& picture, const Screen& screen) {
   glBlitFramebuffer(0, 0, w, h, 0, 0, screen.width, screen.height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
 }
 
-Scissors::Scissors(int left, int bottom, int width, int height) {
+Scissors::Scissors(const Pixels& pixels) {
   glEnable(GL_SCISSOR_TEST);
-  glScissor(left, bottom, width, height);
+  glScissor(pixels.left, pixels.bottom, pixels.width, pixels.height);
 }
 
 Scissors::~Scissors() { glDisable(GL_SCISSOR_TEST); }

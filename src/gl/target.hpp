@@ -56,10 +56,17 @@ struct Screen {
 // Copies a picture to all of a screen, scaled to it.
 void copy(const Target& picture, const Screen& screen);
 
-// Keeps drawing to a rectangle of pixels, from the bottom left, as long as it lives.
+// A rectangle of pixels, from the bottom left.
+struct Pixels {
+  int left = 0, bottom = 0, width = 0, height = 0;
+
+  bool operator==(const Pixels&) const = default;
+};
+
+// Keeps drawing to a rectangle as long as it lives.
 class Scissors {
  public:
-  Scissors(int left, int bottom, int width, int height);
+  explicit Scissors(const Pixels& pixels);
   ~Scissors();
   Scissors(const Scissors&) = delete;
   Scissors& operator=(const Scissors&) = delete;

@@ -1,10 +1,57 @@
 #include "passes/picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace terrella {
+namespace {
 
-void PicturePass::develop(const gl::Image& light) {
+// How far from a pixel its smooth colour is looked for (antialias.frag), rounded up.
+constexpr int reach = 6;
+
+gl::Pixels pixels_of(const PictureBox& box, int width, int height) {
+  const auto at = [](double part, int all, int margin) {
+    return std::clamp(static_cast<int>(std::lround(part * all)) + margin, 0, all);
+  };
+  const int left = at(box.left, width, -1), bottom = at(box.bottom, height, -1);
+  return {left, bottom, at(box.right, width, 1) - left, at(box.top, height, 1) - bottom};
+}
+
+gl::Pixels grown(const gl::Pixels& pixels, int width, int height) {
+  const int left = std::max(pixels.left - reach, 0), bottom = std::max(pixels.bottom - reach, 0);
+  return {left, bottom, std::min(pixels.left + pixels.width + reach, width) - left,
+          std::min(pixels.bottom + pixels.height + reach, height) - bottom};
+}
+
+}  // namespace
+
+void PicturePass::show(const gl::Image& light, const gl::Screen& screen, const PictureBox* smooth, bool patient) {
+  settled_ = smooth == nullptr || antialias_.ready(patient);
+  const bool smoothing = smooth != nullptr && settled_;
+  const bool scaled = light.width() != screen.width || light.height() != screen.height;
+  const gl::Pixels smoothed = smoothing ? pixels_of(*smooth, screen.width, screen.height) : gl::Pixels{};
+  if (scaled) {
+    develop(light, {0, 0, light.width(), light.height()});
+    gl::copy(*developed_, screen);
+  } else {
+    if (smoothing) develop(light, grown(smoothed, screen.width, screen.height));
+    screen.begin();
+    light.bind(gl::unit_image);
+    tone_.use();
+    draw_around(smoothed, screen.width, screen.height);
+  }
+  if (!smoothing) return;
+  const gl::Image& image = developed_->image();
+  screen.begin();
+  const gl::Scissors scissors(smoothed);
+  image.bind(gl::unit_image);
+  antialias_->use();
+  antialias_->set("texel", 1.0F / static_cast<float>(image.width()), 1.0F / static_cast<float>(image.height()));
+  triangle_.draw();
+}
+
+void PicturePass::develop(const gl::Image& light, const gl::Pixels& part) {
+  if (part == developed_part_) return;
   if (!developed_ || developed_->image().width() != light.width() || developed_->image().height() != light.height()) {
     developed_.reset();
     developed_ = std::make_unique<gl::Target>(light.width(), light.height(), gl::Format::rgba8, false);
@@ -12,23 +59,20 @@ void PicturePass::develop(const gl::Image& light) {
   developed_->begin();
   light.bind(gl::unit_image);
   tone_.use();
+  const gl::Scissors scissors(part);
   triangle_.draw();
+  developed_part_ = part;
 }
 
-void PicturePass::show(const gl::Screen& screen, const PictureBox* smooth, bool patient) {
-  gl::copy(*developed_, screen);
-  settled_ = smooth == nullptr || antialias_.ready(patient);
-  if (smooth == nullptr || !settled_) return;
-  const gl::Image& image = developed_->image();
-  const auto pixel = [](double part, int all) { return static_cast<int>(std::lround(part * all)); };
-  const int left = pixel(smooth->left, screen.width) - 1, bottom = pixel(smooth->bottom, screen.height) - 1;
-  screen.begin();
-  const gl::Scissors scissors(left, bottom, pixel(smooth->right, screen.width) + 1 - left,
-                              pixel(smooth->top, screen.height) + 1 - bottom);
-  image.bind(gl::unit_image);
-  antialias_->use();
-  antialias_->set("texel", 1.0F / static_cast<float>(image.width()), 1.0F / static_cast<float>(image.height()));
-  triangle_.draw();
+void PicturePass::draw_around(const gl::Pixels& hole, int width, int height) {
+  const int right = hole.left + hole.width, top = hole.bottom + hole.height;
+  for (const gl::Pixels& part : {gl::Pixels{0, 0, width, hole.bottom}, gl::Pixels{0, top, width, height - top},
+                                 gl::Pixels{0, hole.bottom, hole.left, hole.height},
+                                 gl::Pixels{right, hole.bottom, width - right, hole.height}}) {
+    if (part.width <= 0 || part.height <= 0) continue;
+    const gl::Scissors scissors(part);
+    triangle_.draw();
+  }
 }
 
 }  // namespace terrella

@@ -15,21 +15,27 @@ class PicturePass {
  public:
   bool ready() { return tone_.ready(); }
 
-  // Makes the finished picture from light, at the light's size.
-  void develop(const gl::Image& light);
+  // The light has changed since it was last shown.
+  void light_changed() { developed_part_ = {}; }
 
-  // Shows the finished picture on the whole of a framebuffer, scaled to it. smooth: the part of it in which edges are
-  // smoothed, if any; not in the first pictures, unless it is patient. Needs develop once.
-  void show(const gl::Screen& screen, const PictureBox* smooth, bool patient);
+  // Shows light as a picture on the whole of a framebuffer, scaled to it. smooth: the part of it in which edges are
+  // smoothed, if any; not in the first pictures, unless it is patient.
+  void show(const gl::Image& light, const gl::Screen& screen, const PictureBox* smooth, bool patient);
 
   // Whether the last picture was shown as smooth as it was to be.
   [[nodiscard]] bool settled() const { return settled_; }
 
  private:
+  // Makes a part of the finished picture, at the light's size, unless it is there.
+  void develop(const gl::Image& light, const gl::Pixels& part);
+  // Draws to all of a picture but a part.
+  void draw_around(const gl::Pixels& hole, int width, int height);
+
   gl::Program tone_{"picture/tone", "picture/screen"};
   gl::LateProgram antialias_{"picture/antialias", "picture/screen"};
   gl::FullScreen triangle_;
-  std::unique_ptr<gl::Target> developed_;
+  std::unique_ptr<gl::Target> developed_;  // where it is to be scaled or smoothed
+  gl::Pixels developed_part_;
   bool settled_ = true;
 };
 

@@ -129,8 +129,7 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
     if (rings_) rings_->draw_before();
     draw_overlays();
     if (sun_) sun_->draw_glare(frame);
-    draw_flat();
-    picture_.develop(light_->image());
+    picture_.light_changed();
   }
 }
 
@@ -198,7 +197,7 @@ void Renderer::begin_light(const View& view, const Shot& shot) {
 
 void Renderer::show(const gl::Screen& screen, bool antialias) {
   draw_flat();
-  picture_.show(screen, antialias ? &planet_box_ : nullptr, effort_ == Effort::complete);
+  picture_.show(light_->image(), screen, antialias ? &planet_box_ : nullptr, effort_ == Effort::complete);
 }
 
 bool Renderer::whole() const { return (!stars_ || stars_->settled()) && picture_.settled(); }
