@@ -38,14 +38,20 @@ uint hash_cell(ivec3 cell, uint seed) {
   return hash_key(cell_key(cell), seed_key(seed));
 }
 
-// A unit vector from 32 random bits, spread over the sphere by an octahedron: no direction of the lattice is preferred.
-vec3 hash_direction(uint h) {
+// A vector from 32 random bits, spread over an octahedron: no direction of the lattice is preferred. Its length is at
+// least 0.57 and at most 1.
+vec3 hash_octahedron(uint h) {
   float x = float(int(h & 0xffffu)) * (1.0 / 32767.5) - 1.0;
   float y = float(int(h >> 16)) * (1.0 / 32767.5) - 1.0;
   float z = 1.0 - abs(x) - abs(y);
   float fold = max(-z, 0.0);
   // No fold is longer than x or y: both move towards 0 by fold.
-  return normalize(vec3(x - clamp(x, -fold, fold), y - clamp(y, -fold, fold), z));
+  return vec3(x - clamp(x, -fold, fold), y - clamp(y, -fold, fold), z);
+}
+
+// The same as a unit vector.
+vec3 hash_direction(uint h) {
+  return normalize(hash_octahedron(h));
 }
 
 // What one corner of a simplex adds: offset runs from the corner to the place, direction is the corner's gradient.
@@ -105,9 +111,12 @@ Noise simplex_noise(ivec3 cell, vec3 q, uint seed) {
                           noise_corner(s.offset3, hash_direction(hash_key(s.key3, key))));
 }
 
-// The gradient of one corner, turned by an angle given as its cosine and sine.
+// The gradient of one corner, turned by an angle given as its cosine and sine. What turns is clouds and ripples: that its
+// length is within a thousandth of 1 is enough.
 vec3 turned_direction(uint h, vec2 turn) {
-  vec3 direction = hash_direction(h);
+  vec3 wanted = hash_octahedron(h);
+  mediump float square = dot(wanted, wanted);
+  vec3 direction = inversesqrt(square) * wanted;
   return turn.x * direction + turn.y * perpendicular(direction);
 }
 
