@@ -61,6 +61,7 @@ void Session::context_made() {
 
 void Session::context_lost() {
   painter_.reset();
+  preset_pictures_.reset();
   renderer_.reset();
 }
 
@@ -308,6 +309,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   // The planet is shown first: a panel's font and programs would keep it waiting.
   const bool panel_wanted = panel_shown_ && frames_ > 0 && (panel_frames_ > 0 || planet_stale_);
   if (panel_wanted) run_panel();
+  if (panel_wanted && panel_.shows_presets()) draw_preset_picture();
   if (!panel_shown_) ImGui::GetIO().ClearEventsQueue();  // which nobody reads
   const bool refining = frames_ > 0 && !renderer_->settled() && !hand_on_value_;
   if (planet_stale_ || refining || frames_ == 0) {
@@ -327,6 +329,14 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   at_rest_ = !turn.again;
   if (at_rest_) last_drawn_.reset();  // a pause is not a slow frame
   return turn;
+}
+
+void Session::draw_preset_picture() {
+  if (!preset_pictures_) preset_pictures_ = std::make_unique<PresetPictures>();
+  if (preset_pictures_->complete()) return;
+  preset_pictures_->advance();
+  planet_stale_ = true;
+  panel_frames_ = std::max(panel_frames_, 2);
 }
 
 void Session::advance_clock(double elapsed) {
@@ -425,6 +435,7 @@ PanelFacts Session::facts() const {
   facts.renderer = gl::caps().renderer;
   for (const Decision& d : renderer_->needs().decisions) facts.decisions.push_back({d.what, d.chosen, d.why});
   facts.notices = notices_;
+  if (preset_pictures_) facts.preset_pictures = preset_pictures_->textures();
   return facts;
 }
 

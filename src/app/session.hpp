@@ -13,6 +13,7 @@
 #include "app/camera_control.hpp"
 #include "app/history.hpp"
 #include "app/input.hpp"
+#include "app/preset_pictures.hpp"
 #include "base/image.hpp"
 #include "panel/panel.hpp"
 #include "render/renderer.hpp"
@@ -124,6 +125,7 @@ class Session {
   void keep_habits();
   void advance_clock(double seconds);
   void draw_planet(double now);
+  void draw_preset_picture();
   void note_frame_time(double now);
   PanelFacts facts() const;
   glm::dvec2 to_pixels(glm::dvec2 points) const;
@@ -138,6 +140,7 @@ class Session {
   std::string kept_habits_ = panel_.habits();
   CameraControl camera_;
   std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<PresetPictures> preset_pictures_;  // from when they are first asked for in a context
 
   int width_ = 1280, height_ = 720;  // points
   double scale_ = 1.0;

@@ -49,6 +49,14 @@ void CubeTarget::begin(const CubeMap& map, int face, int first, int end) const {
 
 void CubeTarget::end() { glDisable(GL_SCISSOR_TEST); }
 
+void make_opaque(const Target& picture) {
+  constexpr float opaque[] = {0.0F, 0.0F, 0.0F, 1.0F};
+  picture.begin();
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, opaque);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 void fill(const CubeMap& map, const std::array<float, 4>& value) {
   const CubeTarget target;
   for (int face = 0; face < 6; ++face) {

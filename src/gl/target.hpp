@@ -41,6 +41,9 @@ class CubeTarget {
   FramebufferHandle framebuffer_;
 };
 
+// Sets the fourth channel of all pixels to 1.
+void make_opaque(const Target& picture);
+
 // Gives all texels of the finest level one value.
 void fill(const CubeMap& map, const std::array<float, 4>& value);
 

@@ -104,6 +104,7 @@ struct PanelMemory {
   [[nodiscard]] PanelPlace place() const { return {below, folded.value_or(below)}; }
 
   bool keys_shown = false;          // the list of keys
+  bool presets_shown = false;       // a list of them, in this frame
   std::set<std::string_view> open;  // sections
   Typing typing;
   FingerScroll finger;

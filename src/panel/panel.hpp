@@ -27,8 +27,9 @@ struct PanelFacts {
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;
   std::string renderer;
-  std::vector<Decision> decisions;   // what is modelled, how finely and why
-  std::vector<std::string> notices;  // sentences about bad input, until dismissed
+  std::vector<unsigned> preset_pictures;  // textures, bottom row first, in the order of presets(): those drawn so far
+  std::vector<Decision> decisions;        // what is modelled, how finely and why
+  std::vector<std::string> notices;       // sentences about bad input, until dismissed
 };
 
 // What the user did to the panel in this frame, beside editing the document.
@@ -68,6 +69,9 @@ class Panel {
   void put_below(bool below) { memory_.below = below; }
   // Height (pixels) of what it hides at the lower edge of the window since it was drawn last.
   [[nodiscard]] float covered_below() const { return covered_below_; }
+
+  // Whether the last frame had a list of presets open, which shows PanelFacts::preset_pictures.
+  [[nodiscard]] bool shows_presets() const { return memory_.presets_shown; }
 
   // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
   void start_search();

@@ -1,4 +1,4 @@
-// A list of all presets that opens under the chosen one.
+// A list of all presets, each with its picture, that opens under the chosen one.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@ namespace terrella {
 
 // Returns the preset that was picked in this frame, or null. name: of the list in the places of widgets, and of each
 // entry before its preset's name; help: a sentence for the closed list; width: pixels.
-const Preset* preset_combo(const Sheet& sheet, std::string_view name, const Preset& chosen, const std::string& help,
+const Preset* preset_combo(Sheet& sheet, std::string_view name, const Preset& chosen, const std::string& help,
                            float width);
 
 }  // namespace terrella

@@ -3,15 +3,18 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
 
+#include "base/text.hpp"
 #include "panel/keyboard.hpp"
 
 namespace terrella {
 namespace {
 
 constexpr float default_font_size = 13.0F;
-constexpr float tooltip_width = 260.0F;  // points
-constexpr float bar_inset = 4.0F;        // points, so that both ends can be hit
+constexpr float tooltip_width = 260.0F;                         // points
+constexpr float picture_width = 64.0F, picture_height = 36.0F;  // points
+constexpr float bar_inset = 4.0F;                               // points, so that both ends can be hit
 
 bool hand_is_busy() { return ImGui::IsAnyItemActive(); }
 
@@ -102,6 +105,29 @@ bool choice_row(const std::string& text, bool chosen) {
   // A Selectable adds the space between rows to its height.
   const float height = ImGui::GetFrameHeight() - ImGui::GetStyle().ItemSpacing.y;
   return ImGui::Selectable(text.c_str(), chosen, ImGuiSelectableFlags_None, {0.0F, height});
+}
+
+bool picture_row(const std::string& text, unsigned picture, bool chosen) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 size = {points(picture_width), points(picture_height)};
+  const float height = std::max(size.y, ImGui::GetFrameHeight() - style.ItemSpacing.y);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const bool pressed =
+      ImGui::Selectable(text_of("##", text).c_str(), chosen, ImGuiSelectableFlags_None, {0.0F, height});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 corner = {from.x, from.y + 0.5F * (height - size.y)}, end = {corner.x + size.x, corner.y + size.y};
+  if (picture != 0) {
+    list.AddImage(ImTextureID(std::uintptr_t{picture}), corner, end, {0.0F, 1.0F}, {1.0F, 0.0F});
+  } else {
+    list.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  }
+  list.AddText({end.x + style.ItemInnerSpacing.x, from.y + 0.5F * (height - ImGui::GetFontSize())},
+               ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  return pressed;
+}
+
+float picture_row_width(const std::string& text) {
+  return points(picture_width) + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(text.c_str()).x;
 }
 
 bool toggle_button(const char* label, bool on, float width) {

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include <nlohmann/json.hpp>
+
 #include "native/egl_context.hpp"
 #include "scene/presets.hpp"
 
@@ -303,6 +305,22 @@ TEST_F(SessionTest, HabitsAreKeptWhenTheyChangeAndNotBefore) {
   session.text('/');  // unfolds
   settle();
   EXPECT_EQ(kept, std::vector<std::string>{"waves"});
+}
+
+TEST_F(SessionTest, DrawsThePicturesOfPresetsOnceTheirListIsOpened) {
+  const auto textures = [&] { return nlohmann::json::parse(session.stats())["textures"].get<std::size_t>(); };
+  session.resize(1280, 720, 1.0);
+  session.show_panel(true);
+  settle();
+  const std::size_t before = textures();
+  for (int i = 0; i < 4; ++i) {  // to the list of keys, full screen, fold, presets
+    tap(Key::tab);
+    settle();
+  }
+  EXPECT_EQ(textures(), before);
+  tap(Key::enter);
+  settle();
+  EXPECT_EQ(textures(), before + presets().size());
 }
 
 TEST_F(SessionTest, ComparingKeepsTheCamera) {

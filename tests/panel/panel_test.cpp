@@ -113,6 +113,29 @@ TEST_F(PanelTest, AllGoesBackToThePreset) {
   EXPECT_EQ(document, (SceneDocument{scene_of("storm"), "storm"}));
 }
 
+TEST_F(PanelTest, AListOfPresetsShowsThePicturesThereAre) {
+  constexpr unsigned first = 1001;
+  facts.preset_pictures = {first, first + 1, first + 2};
+  const auto drawn = [&] {
+    std::size_t count = 0;
+    for (const ImDrawList* list : ImGui::GetDrawData()->CmdLists) {
+      for (const ImDrawCmd& command : list->CmdBuffer) {
+        const ImTextureID texture = command.GetTexID();
+        for (const unsigned picture : facts.preset_pictures) count += texture == ImTextureID(std::uintptr_t{picture});
+      }
+    }
+    return count;
+  };
+  frame();
+  EXPECT_FALSE(panel.shows_presets());
+  EXPECT_EQ(drawn(), 0U);
+  click("preset");
+  EXPECT_TRUE(panel.shows_presets());
+  EXPECT_EQ(drawn(), facts.preset_pictures.size());
+  tap(ImGuiKey_Escape);
+  EXPECT_FALSE(panel.shows_presets());
+}
+
 TEST_F(PanelTest, APresetReplacesTheScene) {
   document.scene.waves.steepness = 0.1;
   click("preset");
