@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/file.hpp"
 #include "base/text.hpp"
@@ -110,7 +111,7 @@ Session::Host Window::host() {
   host.keep_habits = [this](const std::string& habits) { terrella::keep_habits(habits_path_, habits); };
   // Asked for in the middle of a frame; done after it.
   host.fill_screen = [this] { screen_wanted_ = true; };
-  host.save_picture = [this] { picture_wanted_ = true; };
+  host.save_picture = [this](const PictureWish& wish) { picture_wanted_ = wish; };
   return host;
 }
 
@@ -199,10 +200,9 @@ void Window::open_file(const std::string& path) {
 }
 
 void Window::save_picture() {
-  picture_wanted_ = false;
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(handle_.get(), &width, &height);
-  if (width > 0 && height > 0) tell(save_new_file("planet", ".png", encode_png(session_.picture(width, height))));
+  const PictureWish wish = *std::exchange(picture_wanted_, std::nullopt);
+  const Image picture = session_.picture(wish.width, wish.height, wish.transparent);
+  tell(save_new_file("planet", ".png", encode_png(picture)));
 }
 
 void Window::tell(const Result<std::string>& saved) {

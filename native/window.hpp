@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/session.hpp"
@@ -46,7 +47,8 @@ class Window {
   Session session_;
   double points_per_unit_ = 1.0;  // GLFW's unit of places is a point on some systems, a pixel on others
   int buttons_down_ = 0;
-  bool picture_wanted_ = false, screen_wanted_ = false;
+  std::optional<PictureWish> picture_wanted_;
+  bool screen_wanted_ = false;
   struct {
     int x = 0, y = 0, width = 0, height = 0;
   } windowed_;  // its place before it filled the screen, in GLFW's unit

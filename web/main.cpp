@@ -27,7 +27,8 @@ EM_JS(void, page_scene_changed, (), { Module.onSceneChanged(); });
 EM_JS(void, page_copy_text, (const char* text), { Module.onCopyText(UTF8ToString(text)); });
 EM_JS(void, page_save_json, (const char* text), { Module.onSaveJson(UTF8ToString(text)); });
 EM_JS(void, page_open_json, (), { Module.onOpenJson(); });
-EM_JS(void, page_save_picture, (), { Module.onSavePicture(); });
+EM_JS(void, page_save_picture, (int width, int height, int transparent),
+      { Module.onSavePicture({ width, height, transparent : transparent !== 0 }); });
 EM_JS(int, page_can_fill_screen, (), { return Module.onFillScreen ? 1 : 0; });
 EM_JS(void, page_fill_screen, (), { Module.onFillScreen(); });
 EM_JS(void, page_keep_habits, (const char* text), { Module.onKeepHabits(UTF8ToString(text)); });
@@ -147,8 +148,7 @@ EMSCRIPTEN_KEEPALIVE const unsigned char* terrella_picture(int width, int height
   }
   return pixels.data();
 }
-// Pixels along a side; the memory of a page holds no more.
-EMSCRIPTEN_KEEPALIVE int terrella_largest_picture() { return 8192; }
+EMSCRIPTEN_KEEPALIVE int terrella_largest_picture() { return terrella::largest_picture; }
 }
 
 int main() {
@@ -157,7 +157,9 @@ int main() {
   host.copy_text = [](const std::string& text) { page_copy_text(text.c_str()); };
   host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
   host.open_json = page_open_json;
-  host.save_picture = page_save_picture;
+  host.save_picture = [](const terrella::PictureWish& wish) {
+    page_save_picture(wish.width, wish.height, wish.transparent ? 1 : 0);
+  };
   if (page_can_fill_screen() != 0) host.fill_screen = page_fill_screen;
   host.keep_habits = [](const std::string& text) { page_keep_habits(text.c_str()); };
   session = std::make_unique<Session>(std::move(host));

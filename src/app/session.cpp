@@ -413,7 +413,7 @@ void Session::obey(const PanelWishes& wishes) {
   if (wishes.copy_json && host_.copy_text) host_.copy_text(to_json(document_));
   if (wishes.save_json && host_.save_json) host_.save_json(to_json(document_));
   if (wishes.open_json && host_.open_json) host_.open_json();
-  if (wishes.save_picture && host_.save_picture) host_.save_picture();
+  if (wishes.save_picture && host_.save_picture) host_.save_picture(*wishes.save_picture);
   if (wishes.fill_screen && host_.fill_screen) host_.fill_screen();
   if (wishes.dismiss_notices) notices_.clear();
 }
@@ -432,6 +432,9 @@ PanelFacts Session::facts() const {
   facts.gpu_bytes = work.gpu_bytes;
   facts.noise_evaluations = work.noise_evaluations;
   facts.draw_calls = work.draw_calls;
+  facts.width = screen(0).width;
+  facts.height = screen(0).height;
+  facts.largest_picture = largest_picture;
   facts.renderer = gl::caps().renderer;
   for (const Decision& d : renderer_->needs().decisions) facts.decisions.push_back({d.what, d.chosen, d.why});
   facts.notices = notices_;

@@ -23,17 +23,20 @@ struct ImGuiContext;
 
 namespace terrella {
 
+// Pixels along a side of a picture that Session makes: the memory of a page holds no larger one.
+inline constexpr int largest_picture = 8192;
+
 class Session {
  public:
   // What the surroundings do for the session.
   struct Host {
-    std::function<void()> scene_changed;                  // by the user or by a call
-    std::function<void(const std::string&)> copy_text;    // to the clipboard
-    std::function<void(const std::string&)> save_json;    // offers a file
-    std::function<void()> open_json;                      // asks for a file; comes back through load_json
-    std::function<void()> save_picture;                   // offers a picture of the window
-    std::function<void(const std::string&)> keep_habits;  // the panel's, for take_habits at the next visit
-    std::function<void()> fill_screen;                    // the whole one, or back; empty where that cannot be
+    std::function<void()> scene_changed;                   // by the user or by a call
+    std::function<void(const std::string&)> copy_text;     // to the clipboard
+    std::function<void(const std::string&)> save_json;     // offers a file
+    std::function<void()> open_json;                       // asks for a file; comes back through load_json
+    std::function<void(const PictureWish&)> save_picture;  // offers a picture made by picture()
+    std::function<void(const std::string&)> keep_habits;   // the panel's, for take_habits at the next visit
+    std::function<void()> fill_screen;                     // the whole one, or back; empty where that cannot be
   };
 
   explicit Session(Host host);

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "panel/finger_scroll.hpp"
 #include "panel/mix.hpp"
+#include "panel/picture_menu.hpp"
 #include "panel/preset_combo.hpp"
 #include "panel/widgets.hpp"
 
@@ -129,13 +130,14 @@ void head_section(Sheet& sheet) {
   PanelWishes& wishes = sheet.wishes;
   if (grid.copy_button("copy_link", "Copy link", "A link to this planet, for the clipboard.")) wishes.copy_link = true;
   if (grid.copy_button("copy_json", "Copy JSON", "This scene as JSON, for the clipboard.")) wishes.copy_json = true;
-  if (grid.button("save_picture", "Picture", "Saves a picture of the planet.")) wishes.save_picture = true;
+  if (grid.button("save_picture", "Picture", "Saves a picture of the planet, of any size.")) open_picture_menu();
   if (grid.button("open", "Open", "Opens a scene from a JSON file.")) wishes.open_json = true;
   if (grid.button("save", "Save", "Saves this scene as a JSON file.")) wishes.save_json = true;
   const bool same = sheet.document.scene == sheet.preset->scene;
   ImGui::BeginDisabled(same);
   if (grid.button("reset_all", "Reset all", "Every value as it is in the preset.")) sheet.start_from(*sheet.preset);
   ImGui::EndDisabled();
+  picture_menu(sheet);
 }
 
 void folded_section(Sheet& sheet) {

@@ -86,6 +86,12 @@ struct Mix {
   Scene from, mixed;        // while share is above 0: the beginning, and what was made last
 };
 
+// The next picture to be saved that has a size of its own, and whether any has a sky.
+struct PictureSize {
+  int width = 1920, height = 1080;
+  bool transparent = false;
+};
+
 // Where something was drawn last, pixels.
 struct Box {
   float left = 0.0F, top = 0.0F, right = 0.0F, bottom = 0.0F;
@@ -113,6 +119,7 @@ struct PanelMemory {
   Search search;
   Chance chance;
   Mix mix;
+  PictureSize picture;
   Tour tour;
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };

@@ -12,6 +12,14 @@
 
 namespace terrella {
 
+// A picture of the planet to be saved.
+struct PictureWish {
+  int width = 1, height = 1;  // pixels
+  bool transparent = false;   // the planet alone, with opacity
+
+  bool operator==(const PictureWish&) const = default;
+};
+
 // What the panel shows beside the scene.
 struct PanelFacts {
   struct Decision {
@@ -26,6 +34,8 @@ struct PanelFacts {
   double frame_ms = 0.0;
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;
+  int width = 1, height = 1;  // of the window, pixels
+  int largest_picture = 1;    // that can be saved, pixels along a side
   std::string renderer;
   std::vector<unsigned> preset_pictures;  // textures, bottom row first, in the order of presets(): those drawn so far
   std::vector<Decision> decisions;        // what is modelled, how finely and why
@@ -41,7 +51,8 @@ struct PanelWishes {
   bool undo = false, redo = false;
   std::optional<bool> paused;
   std::optional<double> seconds;
-  bool copy_link = false, copy_json = false, save_json = false, open_json = false, save_picture = false;
+  bool copy_link = false, copy_json = false, save_json = false, open_json = false;
+  std::optional<PictureWish> save_picture;
   bool dismiss_notices = false;
   bool fill_screen = false;  // or leave it
 

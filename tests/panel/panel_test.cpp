@@ -216,8 +216,26 @@ TEST_F(PanelTest, ButtonsWishWhatTheySay) {
   EXPECT_TRUE(click("copy_json").copy_json);
   EXPECT_TRUE(click("save").save_json);
   EXPECT_TRUE(click("open").open_json);
-  EXPECT_TRUE(click("save_picture").save_picture);
   EXPECT_EQ(document, SceneDocument{});
+}
+
+TEST_F(PanelTest, APictureIsSavedInTheSizeChosen) {
+  facts.width = 1280;
+  facts.height = 720;
+  facts.largest_picture = 4000;
+  EXPECT_EQ(click("save_picture"), PanelWishes{});
+  EXPECT_EQ(count_of("picture/8k"), 0);  // too large here
+  EXPECT_EQ(click("picture/window").save_picture, (PictureWish{1280, 720, false}));
+  EXPECT_EQ(count_of("picture/window"), 0);  // closed
+  click("save_picture");
+  EXPECT_EQ(click("picture/transparent", 0.1F), PanelWishes{});
+  EXPECT_EQ(click("picture/full_hd").save_picture, (PictureWish{1920, 1080, true}));
+  click("save_picture");
+  click("picture/transparent", 0.1F);
+  type_into("picture/width", "640");
+  type_into("picture/height", "99999", ImGuiKey_Tab);
+  EXPECT_EQ(click("picture/own").save_picture, (PictureWish{640, 4000, false}));
+  EXPECT_EQ(count_of("picture/own"), 0);
 }
 
 TEST_F(PanelTest, UndoAndRedoAreWishedWhereThereIsSomething) {

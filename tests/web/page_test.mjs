@@ -1,5 +1,6 @@
 // The real page in a real browser.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
 import { sleep, until } from './browser.mjs';
 import { look, settled, testSite } from './site.mjs';
@@ -274,16 +275,51 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  // As a hand does, which rests on what it presses.
+  const press = async (page, x, y) => {
+    await page.mouse.move(x, y);
+    await sleep(500);
+    await page.mouse.down();
+    await sleep(200);
+    await page.mouse.up();
+  };
+
+  test('shows the presets in pictures, drawn once their list is open', async () => {
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 720 } });
+    const textures = () => page.evaluate(() => terrella.stats().textures);
+    await sleep(500);
+    const before = await textures();
+    await press(page, 100, 51);
+    await until(page, count => terrella.stats().textures === count + 16, before);
+    await sleep(500);
+    const dusk = await look(page, undefined, { x: 24, y: 230, width: 64, height: 36 });
+    assert.ok(dusk.colors > 200, JSON.stringify(dusk));
+    await press(page, 120, 248);
+    await until(page, () => terrella.scene().preset === 'dusk');
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
+  test('saves a picture of the size that is chosen, without its sky if asked', async () => {
+    const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 } });
+    await press(page, 286, 74);
+    await sleep(500);
+    await press(page, 306, 94);
+    const [download] = await Promise.all([page.waitForEvent('download'), press(page, 330, 138)]);
+    assert.equal(download.suggestedFilename(), 'planet.png');
+    const png = readFileSync(await download.path());
+    const colorType = png[25], withOpacity = 6;
+    assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20), colorType], [1920, 1080, withOpacity]);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('keeps what is open in its panel until the next visit', async () => {
     const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 500 } });
     const kept = () => page.evaluate(() => localStorage.getItem('terrella.panel'));
     const clickOnFirstGroup = async () => {
       await sleep(500);
-      await page.mouse.move(60, 170);
-      await sleep(500);
-      await page.mouse.down();
-      await sleep(200);
-      await page.mouse.up();
+      await press(page, 60, 170);
     };
     assert.equal(await kept(), '');
     await clickOnFirstGroup();

@@ -246,7 +246,7 @@ export class Planet {
       // Not on an iPhone, nor in a frame that may not.
       onFillScreen: document.fullscreenEnabled && this.#canvas.requestFullscreen ? () => this.#fillScreen() : null,
       onKeepHabits: text => this.#around.keepHabits(text),
-      onSavePicture: () => this.#screenshot().then(blob => save(blob, 'planet.png')),
+      onSavePicture: wish => this.#screenshot(wish).then(blob => save(blob, 'planet.png')),
     };
   }
 
