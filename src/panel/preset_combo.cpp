@@ -2,27 +2,13 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <cfloat>
-
 #include "base/text.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
-namespace {
-
-float width_of_rows() {
-  float widest = 0.0F;
-  for (const Preset& preset : presets()) widest = std::max(widest, picture_row_width(preset.title));
-  return widest + 2.0F * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
-}
-
-}  // namespace
-
 const Preset* preset_combo(Sheet& sheet, std::string_view name, const Preset& chosen, const std::string& help,
                            float width) {
   ImGui::SetNextItemWidth(width);
-  ImGui::SetNextWindowSizeConstraints({width_of_rows(), 0.0F}, {FLT_MAX, FLT_MAX});
   const bool open = ImGui::BeginCombo(text_of("##", name).c_str(), chosen.title.c_str(), ImGuiComboFlags_HeightLargest);
   sheet.place(name);
   if (!open) {

@@ -112,6 +112,9 @@ bool picture_row(const std::string& text, unsigned picture, bool chosen) {
   const ImVec2 size = {points(picture_width), points(picture_height)};
   const float height = std::max(size.y, ImGui::GetFrameHeight() - style.ItemSpacing.y);
   const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImGui::Dummy(
+      {size.x + style.ItemInnerSpacing.x + ImGui::CalcTextSize(text.c_str()).x, height});  // so wide is the list
+  ImGui::SetCursorScreenPos(from);
   const bool pressed =
       ImGui::Selectable(text_of("##", text).c_str(), chosen, ImGuiSelectableFlags_None, {0.0F, height});
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -124,10 +127,6 @@ bool picture_row(const std::string& text, unsigned picture, bool chosen) {
   list.AddText({end.x + style.ItemInnerSpacing.x, from.y + 0.5F * (height - ImGui::GetFontSize())},
                ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   return pressed;
-}
-
-float picture_row_width(const std::string& text) {
-  return points(picture_width) + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(text.c_str()).x;
 }
 
 bool toggle_button(const char* label, bool on, float width) {

@@ -28,8 +28,6 @@ bool choice_row(const std::string& text, bool chosen);
 // The same with a picture of 16 by 9 at its left. picture: a texture of OpenGL, bottom row first; 0: it is not there
 // yet.
 bool picture_row(const std::string& text, unsigned picture, bool chosen);
-// How wide that is at the least.
-float picture_row_width(const std::string& text);
 
 // A button that looks pressed while something is on.
 bool toggle_button(const char* label, bool on, float width);

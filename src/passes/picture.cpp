@@ -8,19 +8,16 @@ namespace {
 
 // How far from a pixel its smooth colour is looked for (antialias.frag), rounded up.
 constexpr int reach = 6;
+// The sky next to the planet is smoothed as well.
+constexpr int edge = 1;
 
-gl::Pixels pixels_of(const PictureBox& box, int width, int height) {
-  const auto at = [](double part, int all, int margin) {
-    return std::clamp(static_cast<int>(std::lround(part * all)) + margin, 0, all);
+// What a box covers of a picture of some width and height, with a margin around it.
+gl::Pixels pixels_of(const PictureBox& box, int width, int height, int margin) {
+  const auto at = [](double part, int all, int outward) {
+    return std::clamp(static_cast<int>(std::lround(part * all)) + outward, 0, all);
   };
-  const int left = at(box.left, width, -1), bottom = at(box.bottom, height, -1);
-  return {left, bottom, at(box.right, width, 1) - left, at(box.top, height, 1) - bottom};
-}
-
-gl::Pixels grown(const gl::Pixels& pixels, int width, int height) {
-  const int left = std::max(pixels.left - reach, 0), bottom = std::max(pixels.bottom - reach, 0);
-  return {left, bottom, std::min(pixels.left + pixels.width + reach, width) - left,
-          std::min(pixels.bottom + pixels.height + reach, height) - bottom};
+  const int left = at(box.left, width, -margin), bottom = at(box.bottom, height, -margin);
+  return {left, bottom, at(box.right, width, margin) - left, at(box.top, height, margin) - bottom};
 }
 
 }  // namespace
@@ -29,12 +26,12 @@ void PicturePass::show(const gl::Image& light, const gl::Screen& screen, const P
   settled_ = smooth == nullptr || antialias_.ready(patient);
   const bool smoothing = smooth != nullptr && settled_;
   const bool scaled = light.width() != screen.width || light.height() != screen.height;
-  const gl::Pixels smoothed = smoothing ? pixels_of(*smooth, screen.width, screen.height) : gl::Pixels{};
+  const gl::Pixels smoothed = smoothing ? pixels_of(*smooth, screen.width, screen.height, edge) : gl::Pixels{};
   if (scaled) {
     develop(light, {0, 0, light.width(), light.height()});
     gl::copy(*developed_, screen);
   } else {
-    if (smoothing) develop(light, grown(smoothed, screen.width, screen.height));
+    if (smoothing) develop(light, pixels_of(*smooth, screen.width, screen.height, edge + reach));
     screen.begin();
     light.bind(gl::unit_image);
     tone_.use();

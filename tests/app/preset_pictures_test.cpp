@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "app/still.hpp"
-#include "gl/ledger.hpp"
+#include "images/psnr.hpp"
 #include "native/egl_context.hpp"
 #include "scene/presets.hpp"
 
@@ -44,16 +42,6 @@ Image halved(const Image& large) {
   return small;
 }
 
-double psnr(const Image& a, const Image& b) {
-  double sum = 0.0;
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      for (int c = 0; c < 3; ++c) sum += std::pow(a.at(x, y)[c] - b.at(x, y)[c], 2.0);
-    }
-  }
-  return -10.0 * std::log10(sum / (3.0 * width * height));
-}
-
 TEST(PresetPictures, AreWhatThePresetsShow) {
   const std::unique_ptr<EglContext> context = std::move(*EglContext::make(Api::core));
   PresetPictures pictures;
@@ -68,11 +56,11 @@ TEST(PresetPictures, AreWhatThePresetsShow) {
     Scene scene = presets()[i].scene;
     scene.quality.antialias = false;
     const Image whole = halved(take_picture(renderer, scene, options));
-    const double likeness = psnr(texture_as_image(pictures.textures()[i]), whole);
+    const double likeness = test::psnr(texture_as_image(pictures.textures()[i]), whole);
     // Measured 24.2 (alps, whose slopes are finer than the small maps) to 40.9 dB.
     EXPECT_GT(likeness, 24.0) << presets()[i].name;
     const GLuint next = pictures.textures()[(i + 1) % presets().size()];
-    EXPECT_LT(psnr(texture_as_image(next), whole), likeness - 3.0) << presets()[i].name;
+    EXPECT_LT(test::psnr(texture_as_image(next), whole), likeness - 3.0) << presets()[i].name;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/still.hpp"
+#include "images/psnr.hpp"
 #include "native/egl_context.hpp"
 #include "scene/choices.hpp"
 #include "scene/parameters.hpp"
@@ -25,15 +26,7 @@ StillOptions small(int width = 160, int height = 90) {
   return options;
 }
 
-// Peak signal to noise ratio, dB, of values whose peak is 1.
-double psnr(const Image& a, const Image& b) {
-  double squares = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const double d = double{a.pixels[i]} - double{b.pixels[i]};
-    squares += d * d;
-  }
-  return squares == 0.0 ? 200.0 : -10.0 * std::log10(squares / static_cast<double>(a.pixels.size()));
-}
+using test::psnr;
 
 double largest_difference(const Image& a, const Image& b) {
   double largest = 0.0;
