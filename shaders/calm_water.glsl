@@ -11,6 +11,7 @@ struct Ripples {
   vec3 gradient;
   float rough;  // fourth power of the roughness that stands for what is too small to be seen
   float wash;   // -1..1: where foam runs further up
+  float crust;  // 0..1: how far a crust covers the water
 };
 
 // The steepness of the first layer of ripples, as a part of the steepness of all, and of each other one as a part of that
@@ -33,6 +34,7 @@ void emit_calm_water(Ripples r, vec3 up) {
   w.depth = -textureLod(ground_map, up, levels.z).w;
   w.roughness = clamp(sqrt(sqrt(own * own + r.rough)), 0.02, 1.0);
   w.foam = water_foam * (1.0 - smoothstep(0.2, 1.0, w.depth / max(line, 1.0e-9) + 0.5 * r.wash));
+  w.foam = max(w.foam, r.crust);
   LightAt at = light_at(up, 0.0);
   vec3 light = water_light(w, at, normalize(surface_from_eye), cloud_shade(up * sea.x));
   emit_surface(through_air(light, at, surface_from_eye), surface_from_eye, w.normal, sea.x - 1.0);

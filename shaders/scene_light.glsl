@@ -19,12 +19,16 @@ Air scene_air() {
   return air;
 }
 
+// A direction as the clouds have it, which drift around the planet.
+vec3 drifted(vec3 direction) {
+  return vec3(cloud_turn.x * direction.x + cloud_turn.y * direction.y,
+              cloud_turn.x * direction.y - cloud_turn.y * direction.x, direction.z);
+}
+
 // The noise that clouds are made from, at the frame's time.
 float cloud_noise(vec3 direction) {
-  vec3 d = vec3(cloud_turn.x * direction.x + cloud_turn.y * direction.y,
-                cloud_turn.x * direction.y - cloud_turn.y * direction.x, direction.z);
   // Texels of 10 bits are cheaper to fetch than floats where there is no graphics card.
-  return noise_from_map(dot(textureLod(clouds_map, d, cloud_turn.z).rgb, cloud_moments.xyz));
+  return noise_from_map(dot(textureLod(clouds_map, drifted(direction), cloud_turn.z).rgb, cloud_moments.xyz));
 }
 
 // Thickness of the clouds over a place, 0..1.

@@ -50,5 +50,5 @@ vec3 water_light(Water w, LightAt at, vec3 ray, float shade) {
   }
   vec3 foam = water_foam_color.rgb * (sunlight * wrap_diffuse(dot(w.normal, sun), 0.1) + skylight(at, w.normal)) * 0.55;
   light = mix(light, foam, wet * w.foam);
-  return light + water_color.rgb * (wet * water_glow * (1.0 - 0.8 * w.foam));
+  return light + water_color.rgb * (wet * water_glow * (1.0 - 0.95 * w.foam));
 }

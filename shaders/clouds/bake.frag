@@ -13,25 +13,24 @@ out vec4 fragment;
 void main() {
   vec3 direction = normalize(cube_direction);
   float belt = clouds_belts * cloud_belt(direction.z);
-  for (int i = 0; i < cyclones; ++i) direction = unwound(direction, cyclone[i], 3.0 * clouds_swirl);
-  uint seed = uint(planet_seed) + 5021u;
+  vec3 wound = direction;
+  for (int i = 0; i < cyclones; ++i) wound = unwound(wound, cyclone[i], 3.0 * clouds_swirl);
+  uint seed = cloud_seed(planet_seed);
   vec3 warp = vec3(0.0);
   float frequency = clouds_frequency;
   float amplitude = 1.0;
   float sum = 0.0;
-  float total = 0.0;
   for (int i = 0; i < octaves; ++i) {
     vec4 pair = turns[i >> 1];
     vec2 turn = (i & 1) == 0 ? pair.xy : pair.zw;
-    vec3 place = flow_place(direction, frequency, clouds_warp, warp, i, seed);
+    vec3 place = flow_place(i < wound_layers ? wound : direction, frequency, clouds_warp, warp, i, seed);
     // Where warp has drawn a layer out, the map may be too coarse for its cells.
     vec3 right = dFdx(place), up = dFdy(place);
     float shown = layer_weight(1.0, sqrt(0.5 * (dot(right, right) + dot(up, up))));
     sum += flow_layer(place, amplitude * shown, turn, i, seed, warp);
-    total += amplitude;
     frequency *= 2.0;
     amplitude *= clouds_persistence;
   }
   // Every channel: the caller masks the one that is meant.
-  fragment = vec4(noise_to_map((total > 0.0 ? sum / total : 0.0) + 0.22 * belt));
+  fragment = vec4(noise_to_map(sum / amplitude_sum(clouds_persistence, clouds_octaves) + 0.22 * belt));
 }

@@ -35,17 +35,10 @@ vec3 fine_gradient(vec3 offset, float footprint) {
   return sum;
 }
 
-// The sum of all amplitudes, by which the sum of layers is divided.
-float amplitude_sum() {
-  float ratio = terrain_persistence;
-  float count = float(terrain_octaves);
-  return abs(ratio - 1.0) < 1.0e-3 ? count : (1.0 - pow(ratio, count)) / (1.0 - ratio);
-}
-
 // The gradient of the height from that of the sum of layers, at a place of known height over the sphere.
 vec3 shaped(vec3 gradient, float height) {
   float h = pow(clamp(height / max(terrain_height, 1.0e-9), 1.0e-6, 0.999), 1.0 / max(terrain_power, 0.05));
-  return gradient * height_power_slope(h, terrain_height, terrain_power) / amplitude_sum();
+  return gradient * height_power_slope(h, terrain_height, terrain_power) / amplitude_sum(terrain_persistence, terrain_octaves);
 }
 
 void main() {

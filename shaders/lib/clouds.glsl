@@ -27,6 +27,14 @@ vec3 unwound(vec3 direction, vec4 cyclone, float turn) {
   return direction + share * t * cross(eye, direction) + share * t * t * (along * eye - direction);
 }
 
+// Cyclones wind up so many of the coarsest layers. Finer ones, which are puffs and not weather, would only be smeared.
+const int wound_layers = 2;
+
+// What tells the noise of clouds from all other noise of a planet.
+uint cloud_seed(int seed) {
+  return uint(seed) + 5021u;
+}
+
 // How much more than elsewhere rises along the equator and at 60 degrees, and less at 30 degrees and the poles, -1..1. It
 // is the cosine of six times the latitude. sine: of the latitude.
 float cloud_belt(float sine) {

@@ -151,6 +151,12 @@ uint layer_seed(int layer, uint seed) {
   return seed * 32u + uint(layer);
 }
 
+// The sum of the amplitudes of count layers, each persistence times as strong as the one before.
+float amplitude_sum(float persistence, int count) {
+  float n = float(count);
+  return abs(persistence - 1.0) < 1.0e-3 ? n : (1.0 - pow(persistence, n)) / (1.0 - persistence);
+}
+
 // How much of a layer a grid or a picture can show, 0..1: all of it from four samples a cell on, nothing below two.
 // frequency: cells per radian; footprint: distance of neighbouring samples, rad.
 float layer_weight(float frequency, float footprint) {

@@ -29,6 +29,13 @@ vec3 extinction_of(vec3 tint) {
   return -log(clamp(tint, vec3(1.0e-4), vec3(1.0)));
 }
 
+// How far a liquid's crust covers a place, 0..1, from noise there (-1..1): it is torn along the lines where noise is 0.
+// crust: part of the liquid that it covers, 0..1.
+float crust_cover(float noise, float crust) {
+  float torn = 0.5 * (1.0 - crust);
+  return crust <= 0.0 ? 0.0 : crust >= 1.0 ? 1.0 : smoothstep(torn, torn + 0.5 * crust * torn, abs(noise));
+}
+
 // Glitter of a light on a rough surface: the GGX lobe (Walter et al. 2007) with the visibility of Hammon 2017, without
 // its Fresnel factor. All cosines held to 0..1; roughness 0.02..1. Includes the cosine of the light.
 float glitter(float normal_half, float normal_view, float normal_light, float roughness) {

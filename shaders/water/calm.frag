@@ -7,5 +7,6 @@ void main() {
   r.gradient = vec3(0.0);
   r.rough = unseen_roughness(first_ripple, 0.0) + unseen_roughness(next_ripple * first_ripple, 0.0);
   r.wash = 0.0;
+  r.crust = water_crust;
   emit_calm_water(r, up);
 }

@@ -25,5 +25,6 @@ void main() {
     strength *= next_ripple;
     turn = vec2(turn.x * turn.x - turn.y * turn.y, 2.0 * turn.x * turn.y);  // twice as fast
   }
+  r.crust = mix(water_crust, crust_cover(r.wash, water_crust), layer_weight(water_ripple_frequency, footprint));
   emit_calm_water(r, up);
 }

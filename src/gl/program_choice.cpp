@@ -10,9 +10,10 @@ void ProgramChoice::want(std::string_view name) {
       found != programs_.end() ? found->get() : programs_.emplace_back(std::make_unique<Program>(name, vertex_)).get();
 }
 
-void ProgramChoice::use(bool patient) {
+Program& ProgramChoice::use(bool patient) {
   if (used_ == nullptr || patient || wanted_->ready()) used_ = wanted_;
   used_->use();
+  return *used_;
 }
 
 }  // namespace terrella::gl

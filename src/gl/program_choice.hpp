@@ -24,7 +24,8 @@ class ProgramChoice {
   bool ready() { return wanted_->ready(); }
 
   // Makes the wanted program the current one; if that would mean to wait and patient is false, the last one used.
-  void use(bool patient);
+  // Returns the one in use.
+  Program& use(bool patient);
 
  private:
   std::string vertex_;

@@ -19,9 +19,21 @@ constexpr double noise_a_frame = 900'000.0;
 // Every step of time has its own channel, whatever came before it: pictures do not depend on their history.
 int channel_of(std::int64_t step) { return static_cast<int>(((step % 3) + 3) % 3); }
 
+// Whether pixels add layers that the map can't hold.
+bool shows_fine_layers(const Needs& needs) { return needs.cloud_octaves_end > needs.cloud_octaves; }
+
+// The angle by which the gradients of a layer are turned: those of layer i 2^i times as fast as the coarsest (18).
+double turn_of_layer(const Scene& scene, int layer, double seconds) {
+  return std::ldexp(scene.clouds.speed * seconds, layer);
+}
+
 }  // namespace
 
 CloudsShell::CloudsShell(SphereMeshes& spheres) : spheres_(spheres) {}
+
+void CloudsShell::want(const Needs& needs) {
+  draw_program_.want(shows_fine_layers(needs) ? "clouds/shell_near" : "clouds/shell");
+}
 
 bool CloudsShell::ready() { return bake_program_.ready() && draw_program_.ready(); }
 
@@ -35,6 +47,7 @@ void CloudsShell::update(const Frame& frame) {
                    clouds.swirl,
                    clouds.belts,
                    clouds.speed,
+                   clouds.octaves,
                    frame.needs.cloud_octaves,
                    frame.needs.cloud_texels};
   if (!key_ || *key_ != key) {
@@ -78,7 +91,7 @@ void CloudsShell::update(const Frame& frame) {
 
 int CloudsShell::hasty_rows(const Frame& frame, double interval) {
   const double elapsed = frame.view.seconds - std::exchange(last_seconds_, frame.view.seconds);
-  const double at_ease = noise_a_frame / (static_cast<double>(key_->texels) * key_->octaves);
+  const double at_ease = noise_a_frame / (static_cast<double>(key_->texels) * key_->map_octaves);
   // Where frames are slow, time must still be caught up with: twice as fast as it runs.
   const double pace = interval > 0.0 ? 2.0 * CubeBake::rows(key_->texels) * elapsed / interval : 0.0;
   return static_cast<int>(std::clamp(pace, at_ease, 4.0 * at_ease));
@@ -122,8 +135,7 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
   bake_program_.set("octaves", octaves);
   std::array<glm::vec2, 12> turns{};
   for (int i = 0; i < octaves; ++i) {
-    // Layer i turns 2^i times as fast (18).
-    const double angle = std::ldexp(frame.scene.clouds.speed * seconds, i);
+    const double angle = turn_of_layer(frame.scene, i, seconds);
     turns.at(static_cast<std::size_t>(i)) = glm::vec2(std::cos(angle), std::sin(angle));
   }
   for (std::size_t i = 0; i < turns.size(); i += 2) {
@@ -147,7 +159,15 @@ void CloudsShell::set_cyclones(const Scene& scene) {
 void CloudsShell::bind_map(double level) { (coarse_in_use_ ? coarse_ : fine_)->bind(gl::unit_clouds, level); }
 
 void CloudsShell::draw(const Frame& frame) {
-  draw_shell(spheres_, draw_program_, frame, frame.needs.cloud_level, cloud_radius(frame.scene));
+  gl::Program& program = draw_program_.use(frame.effort == Effort::complete);
+  if (shows_fine_layers(frame.needs)) {
+    const int finest = frame.needs.cloud_octaves - 1;
+    const double turn = turn_of_layer(frame.scene, finest, frame.view.seconds);
+    program.set("layers", static_cast<float>(finest + 1), static_cast<float>(frame.needs.cloud_octaves_end),
+                static_cast<float>(map_texel_angle()), 0.0F);
+    program.set("turn", static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)));
+  }
+  draw_shell(spheres_, program, frame, frame.needs.cloud_level, cloud_radius(frame.scene));
 }
 
 }  // namespace terrella

@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "gl/program_choice.hpp"
 #include "passes/cube_bake.hpp"
 #include "passes/frame.hpp"
 #include "passes/sphere_meshes.hpp"
@@ -18,6 +19,8 @@ class CloudsShell {
  public:
   explicit CloudsShell(SphereMeshes& spheres);
 
+  // Starts to compile the program that the needs call for.
+  void want(const Needs& needs);
   bool ready();
 
   // Brings the map up to the frame's time, as far as its effort allows. Needs the scene's uniform block.
@@ -38,7 +41,7 @@ class CloudsShell {
   struct Key {
     int seed;
     double frequency, persistence, warp, swirl, belts, speed;
-    int octaves, texels;
+    int octaves, map_octaves, texels;
     bool operator==(const Key&) const = default;
   };
   // Which step of time each channel of the map holds, once it is finished.
@@ -57,7 +60,7 @@ class CloudsShell {
 
   SphereMeshes& spheres_;
   gl::Program bake_program_{"clouds/bake", "picture/cube_face"};
-  gl::Program draw_program_{"clouds/shell"};
+  gl::ProgramChoice draw_program_{"clouds/shell"};
   std::optional<Key> key_;
   std::unique_ptr<gl::CubeMap> fine_, coarse_;
   Steps steps_;

@@ -173,6 +173,14 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("clouds.octaves", needs.cloud_octaves,
              needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for"
                                                    : "finer ones are under two texels of their map");
+  // Beyond this frequency single precision places no cells.
+  constexpr double highest_frequency = 1e5;
+  const bool near_enough = pixel < 0.4 * texel_angle(needs.cloud_texels);
+  const int shown = visible_octaves(clouds.frequency, 2.0, clouds.octaves, std::max(pixel, 0.5 / highest_frequency));
+  needs.cloud_octaves_end = near_enough ? std::max(needs.cloud_octaves, shown) : needs.cloud_octaves;
+  decide.add("clouds.pixel_octaves", needs.cloud_octaves_end - needs.cloud_octaves,
+             near_enough ? "so near, pixels show layers that the map of the clouds can't hold"
+                         : "the map of the clouds is about as fine as the pixels");
   needs.cloud_interval = clouds.speed > 0.0 ? blend_turn(clouds.persistence, needs.cloud_octaves) / clouds.speed : 0.0;
   decide.add("clouds.interval", needs.cloud_interval,
              clouds.speed > 0.0

@@ -90,6 +90,7 @@ void Renderer::choose_techniques() {
   rings_.choose(needs_.rings, spheres_);
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
+  if (clouds_) clouds_->want(needs_);
 }
 
 double Renderer::ready() {
@@ -152,8 +153,9 @@ void Renderer::update_slots(const Frame& frame) {
     noise_evaluations_ += night_->noise_evaluations();
   }
   if (sun_) sun_->update(frame);
-  const int per_pixel =
-      needs_.pixel_octaves_end - needs_.pixel_octaves_first + (needs_.water == Water::calm ? needs_.ripple_layers : 0);
+  const int per_pixel = needs_.pixel_octaves_end - needs_.pixel_octaves_first +
+                        (needs_.water == Water::calm ? needs_.ripple_layers : 0) + needs_.cloud_octaves_end -
+                        needs_.cloud_octaves;
   noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
 }
 

@@ -1,0 +1,34 @@
+// The shell of clouds so near that pixels are finer than its map: further layers of flow noise at every pixel. Nothing
+// stirs them, and they turn no faster than the finest layer of the map, so that they do not boil.
+#include "cloud_surface.glsl"
+
+uniform vec4 layers;  // x, y: first and end of those added; z: angle of a texel of the map, rad
+uniform vec2 turn;    // cosine and sine of the angle by which their gradients are turned
+
+void main() {
+  vec3 up = normalize(eye_position() + surface_from_eye);
+  float noise = cloud_noise(up);
+  float climb = dot(up, sun_direction.xyz);
+  vec3 toward = sun_direction.xyz - climb * up;
+  float reach = cloud_reach(climb);
+  float rise = noise_rise(up, toward, reach, noise);
+
+  float footprint = pixel_footprint(up, surface_from_eye, 0.12);
+  float enters = 1.0 - smoothstep(0.3, 0.4, footprint / layers.z);
+  vec3 place = drifted(up);
+  vec3 sunward = drifted(toward);
+  uint seed = cloud_seed(planet_seed);
+  float frequency = clouds_frequency * exp2(layers.x);
+  float amplitude = enters * pow(clouds_persistence, layers.x) / amplitude_sum(clouds_persistence, clouds_octaves);
+  for (int i = int(layers.x); i < int(layers.y); ++i) {
+    float shown = layer_weight(frequency, footprint);
+    if (shown <= 0.0) break;  // and so are all finer layers
+    Noise n = turned_noise(ivec3(0), frequency * place + layer_offset(i, seed), turn, layer_seed(i, seed));
+    noise += amplitude * shown * n.value;
+    // Beyond a third of a cell a gradient tells nothing.
+    rise += amplitude * shown * dot(n.gradient, sunward) * min(frequency * reach, 0.33);
+    frequency *= 2.0;
+    amplitude *= clouds_persistence;
+  }
+  emit_clouds(up, noise, rise);
+}
