@@ -12,13 +12,21 @@ vec3 direction_from_anchor(vec3 offset) {
   return (offset - anchor * climb) / radius;
 }
 
-// What the layers finer than the map add to the gradient of the sum of layers.
-vec3 fine_gradient(vec3 offset, float footprint) {
+// What the layers finer than the map add.
+struct FineLayers {
+  vec3 gradient;  // to that of the sum of layers
+  float grain;    // to the colour, about -1..1: what is flat shows them, too
+};
+
+FineLayers fine_layers(vec3 offset, float footprint) {
   vec3 from_anchor = direction_from_anchor(offset);
   uint seed = uint(planet_seed);
   float texel = ground_map_scale.x;
   float enters = 1.0 - smoothstep(0.4, 0.6, footprint / texel);
-  vec3 sum = vec3(0.0);
+  FineLayers fine;
+  fine.gradient = vec3(0.0);
+  fine.grain = 0.0;
+  float strength = 0.4;
   int first = int(ground_map_scale.y), end = int(ground_map_scale.z);
   float amplitude = enters * pow(terrain_persistence, float(first));
   for (int i = first; i < end; ++i) {
@@ -29,10 +37,12 @@ vec3 fine_gradient(vec3 offset, float footprint) {
     Noise n = simplex_noise(layer_cell[i].xyz, q, layer_seed(i, seed));
     float slope = layer_slope(n.value, terrain_ridged != 0, terrain_ridge_sharpness);
     float shown = max(weight - layer_weight(frequency, texel), 0.0);
-    sum += amplitude * shown * frequency * slope * n.gradient;
+    fine.gradient += amplitude * shown * frequency * slope * n.gradient;
+    fine.grain += enters * strength * shown * n.value;
+    strength *= 0.8;
     amplitude *= terrain_persistence;
   }
-  return sum;
+  return fine;
 }
 
 // The gradient of the height from that of the sum of layers, at a place of known height over the sphere.
@@ -45,7 +55,8 @@ void main() {
   vec3 up = normalize(surface_position());
   GroundAt ground = ground_at(textureLod(ground_map, up, levels.z), up);
   float footprint = pixel_footprint(up, surface_from_eye, 0.12);
-  vec3 fine = shaped(fine_gradient(surface_from_eye, footprint), ground.height + sea.x - 1.0);
-  ground.gradient += fine - dot(fine, up) * up;
-  emit_ground(ground);
+  FineLayers fine = fine_layers(surface_from_eye, footprint);
+  vec3 gradient = shaped(fine.gradient, ground.height + sea.x - 1.0);
+  ground.gradient += gradient - dot(gradient, up) * up;
+  emit_ground(ground, fine.grain);
 }

@@ -75,22 +75,24 @@ void GroundIcosphere::make_coarse(const Frame& frame) {
   bake(frame, coarse_bake_, *coarse_map_, CubeBake::rows(coarse_ground_texels));
   begun_key_.reset();
   coarse_ = std::exchange(begun_, {});
-  noise_evaluations_ += static_cast<std::int64_t>(coarse_->positions.size()) * noise_per_height(frame.scene);
+  noise_evaluations_ += static_cast<std::int64_t>(coarse_->positions.size()) *
+                        noise_per_height(frame.scene, icosphere_edge(coarse_level));
   coarse_done_ = true;
 }
 
 void GroundIcosphere::advance_fine(const Frame& frame) {
   const bool at_once = frame.effort == Effort::complete;
-  const int noise_each = noise_per_height(frame.scene);
   const Icosphere& sphere = spheres_.geometry(key_->level);
   if (!fine_map_ || fine_map_->side() != key_->texels) {
     fine_map_ = std::make_unique<gl::CubeMap>(key_->texels, gl::Format::rgba16f);
   }
   if (!fine_bake_.done(*fine_map_)) {
+    const int noise_each = noise_per_height(frame.scene, texel_angle(key_->texels));
     const auto rows = static_cast<int>(map_noise_a_frame / (std::int64_t{key_->texels} * noise_each));
     bake(frame, fine_bake_, *fine_map_, at_once ? CubeBake::rows(key_->texels) : rows);
   }
   if (fine_positions_.size() < sphere.directions.size()) {
+    const int noise_each = noise_per_height(frame.scene, icosphere_edge(key_->level));
     const auto share = static_cast<std::size_t>(mesh_noise_a_frame / noise_each);
     const std::size_t end = at_once ? sphere.directions.size() : fine_positions_.size() + share;
     const std::size_t before = fine_positions_.size();
@@ -107,7 +109,7 @@ void GroundIcosphere::advance_fine(const Frame& frame) {
 void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows) {
   bake_program_.use();
   bake_program_.set("texel_angle", static_cast<float>(texel_angle(map.side())));
-  noise_evaluations_ += bake.advance(bake_program_, map, rows) * noise_per_height(frame.scene);
+  noise_evaluations_ += bake.advance(bake_program_, map, rows) * noise_per_height(frame.scene, texel_angle(map.side()));
 }
 
 void GroundIcosphere::displace(const Scene& scene, int level, std::size_t end, std::vector<glm::vec3>& positions) {

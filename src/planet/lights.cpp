@@ -50,12 +50,12 @@ Lights find_lights(const Scene& scene, int level) {
     const float crowd =
         1.4F * noise(direction, regions_per_radius, seed) + noise(direction, towns_per_radius, seed + 1);
     if (crowd < 0.3F) continue;
-    found.noise_evaluations += noise_per_height(scene);
+    found.noise_evaluations += noise_per_height(scene, icosphere_edge(level));
     const double ground = ground_radius(terrain, direction, icosphere_edge(level));
     const double welcome = habitable(scene, ground - 1.0 - water);
     const auto brightness = static_cast<float>(welcome * std::min(1.0, 1.6 * crowd));
     if (brightness < 0.08F) continue;
-    found.noise_evaluations += 3 * noise_per_height(scene);
+    found.noise_evaluations += 3 * noise_per_height(scene, icosphere_edge(level));
     const double drawn = drawn_ground_radius(terrain, direction, level);
     found.lights.push_back({glm::vec3(direction * (std::max(ground, drawn) + lift)), brightness});
   }

@@ -9,6 +9,7 @@
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
+#include "planet/octaves.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/sun.hpp"
@@ -39,13 +40,6 @@ class Decisions {
  private:
   std::vector<Decision>& list_;
 };
-
-// Layers of noise below which nothing is seen: those whose cells are under two pixels.
-int visible_octaves(double frequency, double lacunarity, int octaves, double footprint) {
-  int count = 0;
-  for (double f = frequency; count < octaves && f * footprint < 0.5; f *= lacunarity) ++count;
-  return count;
-}
 
 // The coarsest icosphere that shows a sphere within an error (radii).
 int sphere_level(double allowed) {

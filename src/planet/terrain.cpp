@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "planet/icosphere.hpp"
+#include "planet/octaves.hpp"
 
 namespace terrella {
 
@@ -30,10 +31,10 @@ f32::Terrain terrain_of(const Scene& scene) {
   return terrain;
 }
 
-int noise_per_height(const Scene& scene) {
+int noise_per_height(const Scene& scene, double footprint) {
   const auto& terrain = scene.terrain;
-  return std::max(1,
-                  terrain.octaves + (terrain.craters > 0.0 ? 3 * terrain.crater_sizes : 0) + (has_ice(scene) ? 1 : 0));
+  const int octaves = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint);
+  return std::max(1, octaves + (terrain.craters > 0.0 ? 3 * terrain.crater_sizes : 0) + (has_ice(scene) ? 1 : 0));
 }
 
 double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, double edge) {

@@ -13,9 +13,9 @@ namespace terrella {
 // The parameters of the height function, in planet radii.
 f32::Terrain terrain_of(const Scene& scene);
 
-// Work of one height, in evaluations of noise, at least 1. A size of craters takes as long as three (measured); ice is
-// looked for only around the poles.
-int noise_per_height(const Scene& scene);
+// Work of one height among samples a footprint (rad) apart, in evaluations of noise, at least 1. A size of craters
+// takes as long as three (measured); ice is looked for only around the poles.
+int noise_per_height(const Scene& scene, double footprint);
 
 // Radii of the ground at each direction (unit), as a mesh with the given length of edges (rad) can carry it.
 double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, double edge);
