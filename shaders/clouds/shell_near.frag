@@ -24,6 +24,7 @@ void main() {
     float shown = layer_weight(frequency, footprint);
     if (shown <= 0.0) break;  // and so are all finer layers
     Noise n = turned_noise(ivec3(0), frequency * place + layer_offset(i, seed), turn, layer_seed(i, seed));
+    shown = max(shown - layer_weight(frequency, layers.z), 0.0);
     noise += amplitude * shown * n.value;
     // Beyond a third of a cell a gradient tells nothing.
     rise += amplitude * shown * dot(n.gradient, sunward) * min(frequency * reach, 0.33);

@@ -20,7 +20,7 @@ constexpr double noise_a_frame = 900'000.0;
 int channel_of(std::int64_t step) { return static_cast<int>(((step % 3) + 3) % 3); }
 
 // Whether pixels add layers that the map can't hold.
-bool shows_fine_layers(const Needs& needs) { return needs.cloud_octaves_end > needs.cloud_octaves; }
+bool shows_fine_layers(const Needs& needs) { return needs.cloud_pixel_end > needs.cloud_pixel_first; }
 
 // The angle by which the gradients of a layer are turned: those of layer i 2^i times as fast as the coarsest (18).
 double turn_of_layer(const Scene& scene, int layer, double seconds) {
@@ -161,10 +161,9 @@ void CloudsShell::bind_map(double level) { (coarse_in_use_ ? coarse_ : fine_)->b
 void CloudsShell::draw(const Frame& frame) {
   gl::Program& program = draw_program_.use(frame.effort == Effort::complete);
   if (shows_fine_layers(frame.needs)) {
-    const int finest = frame.needs.cloud_octaves - 1;
-    const double turn = turn_of_layer(frame.scene, finest, frame.view.seconds);
-    program.set("layers", static_cast<float>(finest + 1), static_cast<float>(frame.needs.cloud_octaves_end),
-                static_cast<float>(map_texel_angle()), 0.0F);
+    const double turn = turn_of_layer(frame.scene, frame.needs.cloud_octaves - 1, frame.view.seconds);
+    program.set("layers", static_cast<float>(frame.needs.cloud_pixel_first),
+                static_cast<float>(frame.needs.cloud_pixel_end), static_cast<float>(map_texel_angle()), 0.0F);
     program.set("turn", static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)));
   }
   draw_shell(spheres_, program, frame, frame.needs.cloud_level, cloud_radius(frame.scene));

@@ -169,10 +169,14 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
                                                    : "finer ones are under two texels of their map");
   // Beyond this frequency single precision places no cells.
   constexpr double highest_frequency = 1e5;
-  const bool near_enough = pixel < 0.4 * texel_angle(needs.cloud_texels);
+  const double texel = texel_angle(needs.cloud_texels);
+  const bool near_enough = pixel < 0.4 * texel;
   const int shown = visible_octaves(clouds.frequency, 2.0, clouds.octaves, std::max(pixel, 0.5 / highest_frequency));
-  needs.cloud_octaves_end = near_enough ? std::max(needs.cloud_octaves, shown) : needs.cloud_octaves;
-  decide.add("clouds.pixel_octaves", needs.cloud_octaves_end - needs.cloud_octaves,
+  int first = 0;
+  for (double f = clouds.frequency; first < needs.cloud_octaves && f * texel < 0.3; f *= 2.0) ++first;
+  needs.cloud_pixel_first = first;
+  needs.cloud_pixel_end = near_enough ? std::max(first, shown) : first;
+  decide.add("clouds.pixel_octaves", needs.cloud_pixel_end - needs.cloud_pixel_first,
              near_enough ? "so near, pixels show layers that the map of the clouds can't hold"
                          : "the map of the clouds is about as fine as the pixels");
   needs.cloud_interval = clouds.speed > 0.0 ? blend_turn(clouds.persistence, needs.cloud_octaves) / clouds.speed : 0.0;

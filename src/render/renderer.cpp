@@ -154,8 +154,8 @@ void Renderer::update_slots(const Frame& frame) {
   }
   if (sun_) sun_->update(frame);
   const int per_pixel = needs_.pixel_octaves_end - needs_.pixel_octaves_first +
-                        (needs_.water == Water::calm ? needs_.ripple_layers : 0) + needs_.cloud_octaves_end -
-                        needs_.cloud_octaves;
+                        (needs_.water == Water::calm ? needs_.ripple_layers : 0) + needs_.cloud_pixel_end -
+                        needs_.cloud_pixel_first;
   noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
 }
 

@@ -35,6 +35,22 @@ TEST(Schlick, StaysCloseToFresnel) {
   }
 }
 
+TEST(CrustCover, GrowsWithTheCrustAndWithTheDistanceFromTheLinesWhereItIsTorn) {
+  for (double crust = 0.0; crust <= 1.0; crust += 0.05) {
+    double before = 0.0;
+    for (double noise = 0.0; noise <= 1.0; noise += 0.01) {
+      const double cover = f64::crust_cover(noise, crust);
+      EXPECT_GE(cover, before);
+      EXPECT_LE(cover, 1.0);
+      EXPECT_EQ(cover, f64::crust_cover(-noise, crust));
+      EXPECT_LE(cover, f64::crust_cover(noise, std::fmin(1.0, crust + 0.05)) + 1e-12);
+      before = cover;
+    }
+  }
+  EXPECT_EQ(f64::crust_cover(1.0, 0.0), 0.0);
+  EXPECT_EQ(f64::crust_cover(0.0, 1.0), 1.0);
+}
+
 TEST(WrapDiffuse, IsLambertWithoutWrapAndReachesRoundWithIt) {
   for (double c = -1.0; c <= 1.0; c += 0.01) {
     EXPECT_DOUBLE_EQ(f64::wrap_diffuse(c, 0.0), std::fmax(c, 0.0));

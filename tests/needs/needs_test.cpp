@@ -88,6 +88,16 @@ const Case cases[] = {
      [](const Needs& n) { return n.cloud_octaves >= 1 && n.cloud_octaves < 6; }},
     {"clouds from far away need fewer layers", [](Scene& s) { s.camera.altitude = 100.0; },
      [](const Needs& n) { return n.cloud_octaves < 5; }},
+    {"clouds from afar need no layers at pixels", [](Scene&) {},
+     [](const Needs& n) { return n.cloud_pixel_end == n.cloud_pixel_first; }},
+    {"clouds from close by", [](Scene& s) { s.camera.altitude = 0.4; },
+     [](const Needs& n) { return n.cloud_pixel_end > n.cloud_pixel_first; }},
+    {"clouds without fine layers from close by",
+     [](Scene& s) {
+       s.camera.altitude = 0.4;
+       s.clouds.octaves = 3;
+     },
+     [](const Needs& n) { return n.cloud_pixel_end == 3; }},
     {"clouds that stand need one map", [](Scene& s) { s.clouds.speed = 0.0; },
      [](const Needs& n) { return n.clouds == Clouds::shell && n.cloud_interval == 0.0; }},
     {"faster clouds are refreshed more often", [](Scene& s) { s.clouds.speed = 4.0; },
