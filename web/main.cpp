@@ -101,6 +101,7 @@ EMSCRIPTEN_KEEPALIVE int terrella_key(int key, int down, int shift, int control)
 }
 EMSCRIPTEN_KEEPALIVE void terrella_keys_left() { session->keys_left(); }
 EMSCRIPTEN_KEEPALIVE void terrella_text(unsigned codepoint) { session->text(codepoint); }
+EMSCRIPTEN_KEEPALIVE int terrella_wants_text() { return session->wants_text() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void terrella_pasted(const char* text) { session->pasted(text); }
 
 // JSON of a value, or "" where there is no such parameter.

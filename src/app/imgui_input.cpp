@@ -1,6 +1,7 @@
 #include "app/imgui_input.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // the queue of events
 
 #include <cfloat>
 
@@ -73,5 +74,9 @@ void key(Key key, bool down, Modifiers modifiers) {
 }
 
 void text(unsigned codepoint) { ImGui::GetIO().AddInputCharacter(codepoint); }
+
+void text(const std::string& utf8) { ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str()); }
+
+bool events_left() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 
 }  // namespace terrella::imgui_input

@@ -1,6 +1,8 @@
 // Hands to Dear ImGui, in pixels.
 #pragma once
 
+#include <string>
+
 #include "app/input.hpp"
 
 namespace terrella::imgui_input {
@@ -15,5 +17,9 @@ void wheel(double notches);
 bool navigates(Key key);
 void key(Key key, bool down, Modifiers modifiers);
 void text(unsigned codepoint);
+void text(const std::string& utf8);
+
+// Whether events wait for the next frame: a key pressed twice takes as many.
+bool events_left();
 
 }  // namespace terrella::imgui_input

@@ -66,12 +66,13 @@ void Session::context_lost() {
 }
 
 void Session::resize(int width, int height, double scale, bool fingers) {
-  const bool below = panel_lies_below(width, height, fingers), large_rows = fingers || below;
+  const PanelPlace place = first_panel_place(width, height, fingers);
+  const bool large_rows = fingers || place.below;
   if (scale != scale_ || large_rows != large_rows_) {
     style_panel(static_cast<float>(scale), large_rows);
     if (painter_) ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the font has another size; made anew when next drawn
   }
-  panel_.put_below(below);
+  panel_.put_at(place);
   large_rows_ = large_rows;
   width_ = std::max(1, width);
   height_ = std::max(1, height);
@@ -91,8 +92,10 @@ View Session::view() const {
   view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.seconds = seconds_;
   view.field = field_of(width_, height_);
-  // Into the middle of what a sheet leaves free.
-  if (panel_shown_) view.shift.y = -0.5 * double{panel_.covered_below()} * view.height / (height_ * scale_);
+  // Into the middle of what the panel leaves free.
+  const Covered covered = panel_shown_ ? panel_.covered() : Covered();
+  view.shift = glm::dvec2(0.5, -0.5) * glm::dvec2(covered.left, covered.below) * glm::dvec2(view.width, view.height) /
+               (glm::dvec2(width_, height_) * scale_);
   return view;
 }
 
@@ -137,6 +140,8 @@ void Session::pointer_button(Button button, bool down) {
   drag_ = look ? Drag::look : Drag::turn;
   last_drag_time_ = now_;
 }
+
+bool Session::wants_text() const { return panel_shown_ && ImGui::GetIO().WantTextInput; }
 
 void Session::pointer_is_finger(bool finger) { imgui_input::pointer_is_finger(finger); }
 
@@ -265,7 +270,7 @@ void Session::update_pushes() {
 }
 
 void Session::text(unsigned codepoint) {
-  const bool typing = panel_shown_ && ImGui::GetIO().WantTextInput;
+  const bool typing = wants_text();
   panel_frames_ = 3;
   if (typing || (codepoint != '/' && codepoint != '?')) return imgui_input::text(codepoint);
   show_panel(true);
@@ -276,7 +281,7 @@ void Session::text(unsigned codepoint) {
 
 void Session::pasted(const std::string& text) {
   if (ImGui::GetIO().WantTextInput) {
-    for (const char c : text) imgui_input::text(static_cast<unsigned char>(c));
+    imgui_input::text(text);
     panel_frames_ = 3;
   } else if (text.find('{') != std::string::npos) {
     add_notices(load_json(text));
@@ -378,10 +383,11 @@ void Session::run_panel() {
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  const float covered = panel_.covered_below();
+  const Covered covered = panel_.covered();
   const bool had_keyboard = panel_.has_keyboard();
   const PanelWishes wishes = panel_.draw(document_, facts());
-  if (panel_.covered_below() != covered) planet_stale_ = true;
+  if (panel_.covered() != covered) planet_stale_ = true;
+  if (panel_.moves() || imgui_input::events_left()) panel_frames_ = std::max(panel_frames_, 2);
   if (had_keyboard && !panel_.has_keyboard()) tab_leads_out_ = ImGui::IsKeyDown(ImGuiKey_Escape);
   ImGui::Render();
   keep_habits();
@@ -511,7 +517,7 @@ void Session::set_seconds(double seconds) {
 void Session::show_panel(bool shown) {
   panel_shown_ = shown;
   if (!shown) hand_on_value_ = false;
-  if (panel_.covered_below() > 0.0F) planet_stale_ = true;
+  if (panel_.covered() != Covered()) planet_stale_ = true;
   panel_frames_ = 3;
 }
 

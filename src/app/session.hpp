@@ -67,6 +67,8 @@ class Session {
   bool key(Key key, bool down, Modifiers modifiers);
   void keys_left();  // the keyboard has gone elsewhere: none is held any more
   void text(unsigned codepoint);
+  // Whether a field of the panel waits for text: where there are no keys, they are to be shown.
+  [[nodiscard]] bool wants_text() const;
   void pasted(const std::string& text);
 
   struct Turn {

@@ -1,4 +1,4 @@
-// A finger that is drawn up or down over the panel scrolls it.
+// A finger that is drawn up or down over the panel scrolls it, and throws it.
 #pragma once
 
 #include "panel/memory.hpp"

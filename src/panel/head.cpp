@@ -141,7 +141,7 @@ void head_section(Sheet& sheet) {
 }
 
 void folded_section(Sheet& sheet) {
-  const float width = sheet.memory.below ? points(handle_width) : 0.0F;
+  const float width = sheet.memory.first_place.below ? points(handle_width) : 0.0F;
   if (ImGui::Button("Panel", {width, 0.0F})) sheet.memory.folded = false;
   sheet.place("unfold");
 }

@@ -30,7 +30,7 @@ constexpr KeyLine panel_lines[] = {
     {"/", "search a parameter"},
     {"Tab", "go into the panel, and from row to row"},
     {"Arrows, Enter", "in the panel: go on, press"},
-    {"Escape", "end the search, close this list, leave the panel"},
+    {"Escape", "end the search or the tour, close this list, leave the panel"},
     {"?", "show this list, close it"},
 };
 

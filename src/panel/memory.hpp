@@ -53,6 +53,13 @@ struct Search {
 struct FingerScroll {
   unsigned window = 0;  // that it was put on, by Dear ImGui's number
   bool decided = false, scrolls = false;
+  float speed = 0.0F;  // of what is scrolled, pixels a second; it runs on when the finger has left
+};
+
+// Where text is typed.
+struct Caret {
+  float window_height = 0.0F;  // at the last frame, pixels
+  int frames_to_follow = 0;    // it may still move with the layout
 };
 
 // Who has the keyboard.
@@ -65,6 +72,15 @@ struct Keyboard {
 struct PanelPlace {
   bool below = false;   // it is a sheet under the planet, not at the left edge
   bool folded = false;  // to a button
+
+  bool operator==(const PanelPlace&) const = default;
+};
+
+// What the panel hides of the window, pixels.
+struct Covered {
+  float left = 0.0F, below = 0.0F;
+
+  bool operator==(const Covered&) const = default;
 };
 
 // What is drawn by chance.
@@ -101,19 +117,21 @@ struct Box {
 struct Tour {
   bool wanted = false;
   int step = 0;
-  Box target;  // the widget to which the bubble points
+  Box target;            // the widget to which the bubble points
+  bool arrived = false;  // it has been scrolled into sight
 };
 
 struct PanelMemory {
-  bool below = false;
+  PanelPlace first_place;      // before a hand has folded or unfolded it
   std::optional<bool> folded;  // as a hand has left it
-  [[nodiscard]] PanelPlace place() const { return {below, folded.value_or(below)}; }
+  [[nodiscard]] PanelPlace place() const { return {first_place.below, folded.value_or(first_place.folded)}; }
 
   bool keys_shown = false;          // the list of keys
   bool presets_shown = false;       // a list of them, in this frame
   std::set<std::string_view> open;  // sections
   Typing typing;
   FingerScroll finger;
+  Caret caret;
   Keyboard keyboard;
   SliderHand hand;
   Search search;

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/text.hpp"
+#include "panel/caret.hpp"
 #include "panel/facts_view.hpp"
 #include "panel/finger_scroll.hpp"
 #include "panel/habits.hpp"
@@ -114,15 +115,18 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   note_scrolling(memory_.hand.wheel);
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
   end_panel_window();
-  if (!place.folded) tour_bubble(sheet, right);
+  tour_bubble(sheet, right);
   keys_window(sheet);
   scroll_by_finger(memory_.finger);
+  keep_caret_in_sight(memory_.caret);
   give_back_keyboard(memory_.keyboard, memory_.keys_shown);
+  if (frames_to_settle_ > 0) --frames_to_settle_;
   if (memory_.place().folded != place.folded) {
+    frames_to_settle_ = 3;
     forget_focus();
     if (memory_.keyboard.here) take_keyboard();
   }
-  covered_below_ = height_of_sheet(memory_.place());
+  covered_ = covered_by(memory_.place());
   return sheet.wishes;
 }
 

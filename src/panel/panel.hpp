@@ -75,11 +75,14 @@ class Panel {
   // `places` is given, the place of every widget drawn is added to it.
   PanelWishes draw(SceneDocument& document, const PanelFacts& facts, std::vector<WidgetPlace>* places = nullptr);
 
-  // Whether it is a sheet under the planet (see panel_lies_below) or stands at the left edge. A sheet is folded at
-  // first.
-  void put_below(bool below) { memory_.below = below; }
-  // Height (pixels) of what it hides at the lower edge of the window since it was drawn last.
-  [[nodiscard]] float covered_below() const { return covered_below_; }
+  // Where it lies until a hand folds or unfolds it (see first_panel_place).
+  void put_at(PanelPlace place) { memory_.first_place = place; }
+  // What it hides of the window, as it was drawn last, where that is so much that the planet makes room.
+  [[nodiscard]] Covered covered() const { return covered_; }
+
+  // Whether it wants to be drawn again although no hand does anything: it scrolls on, or has just been folded or
+  // unfolded and takes a few frames to find its size.
+  [[nodiscard]] bool moves() const { return memory_.finger.speed != 0.0F || frames_to_settle_ > 0; }
 
   // Whether the last frame had a list of presets open, which shows PanelFacts::preset_pictures.
   [[nodiscard]] bool shows_presets() const { return memory_.presets_shown; }
@@ -104,12 +107,14 @@ class Panel {
 
  private:
   PanelMemory memory_;
-  float covered_below_ = 0.0F;
+  Covered covered_;
+  int frames_to_settle_ = 0;
 };
 
-// Whether the panel belongs under the planet: in a narrow window, and on a phone or tablet that is held upright.
-// width, height: of the window, points; fingers: they are what points.
-bool panel_lies_below(int width, int height, bool fingers);
+// Where the panel belongs: under the planet in a narrow window, and on a phone or tablet that is held upright. There,
+// and on a phone that is held sideways, it is folded. width, height: of the window, points; fingers: they are what
+// points.
+PanelPlace first_panel_place(int width, int height, bool fingers);
 
 // Colours, spacing and font for the current context of ImGui, at a scale of pixels per point. For fingers all rows are
 // at least 44 points high. Call when the context is made or one of these changes, outside of a frame; a texture made of

@@ -12,18 +12,26 @@ namespace {
 
 constexpr float panel_width = 340.0F, panel_margin = 8.0F;  // points
 constexpr float widest_share = 0.9F;                        // of the window
-constexpr float narrow = 600.0F;                            // points
+constexpr float narrow = 600.0F, low = 500.0F;              // points
 constexpr float sheet_share = 0.45F;                        // of the window's height
 constexpr float least_sheet = 180.0F;                       // points; lower, one could not scroll in it
+constexpr float spared_share = 1.0F / 3.0F;                 // of the window's width, for which the planet makes no room
 
 constexpr ImGuiWindowFlags always = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoFocusOnAppearing;
 
+float width_at_the_left() { return std::min(points(panel_width), widest_share * ImGui::GetIO().DisplaySize.x); }
+
+float height_of_sheet() {
+  const float display = ImGui::GetIO().DisplaySize.y;
+  return std::min(display, std::max(sheet_share * display, points(least_sheet)));
+}
+
 bool begin_at_the_left(bool folded) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float margin = points(panel_margin);
-  const float width = folded ? 0.0F : std::min(points(panel_width), widest_share * display.x);
+  const float width = folded ? 0.0F : width_at_the_left();
   ImGui::SetNextWindowPos({margin, margin});
   ImGui::SetNextWindowSizeConstraints({width, 0.0F},
                                       {folded ? display.x : width, std::max(margin, display.y - 2.0F * margin)});
@@ -38,7 +46,7 @@ bool begin_sheet(PanelPlace place) {
     return ImGui::Begin("handle", nullptr, always | ImGuiWindowFlags_AlwaysAutoResize);
   }
   ImGui::SetNextWindowPos({0.0F, display.y}, ImGuiCond_Always, {0.0F, 1.0F});
-  ImGui::SetNextWindowSize({display.x, height_of_sheet(place)});
+  ImGui::SetNextWindowSize({display.x, height_of_sheet()});
   return ImGui::Begin("sheet", nullptr, always | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
 }
 
@@ -46,8 +54,9 @@ bool rows_scroll_alone(PanelPlace place) { return place.below && !place.folded; 
 
 }  // namespace
 
-bool panel_lies_below(int width, int height, bool fingers) {
-  return static_cast<float>(width) < narrow || (fingers && height > width);
+PanelPlace first_panel_place(int width, int height, bool fingers) {
+  const bool below = static_cast<float>(width) < narrow || (fingers && height > width);
+  return {below, below || (fingers && static_cast<float>(height) < low)};
 }
 
 bool begin_panel_window(PanelPlace place) { return place.below ? begin_sheet(place) : begin_at_the_left(place.folded); }
@@ -63,10 +72,11 @@ void end_rows(PanelPlace place) {
   if (rows_scroll_alone(place)) ImGui::EndChild();
 }
 
-float height_of_sheet(PanelPlace place) {
-  if (!place.below || place.folded) return 0.0F;
-  const float display = ImGui::GetIO().DisplaySize.y;
-  return std::min(display, std::max(sheet_share * display, points(least_sheet)));
+Covered covered_by(PanelPlace place) {
+  if (place.folded) return {};
+  if (place.below) return {0.0F, height_of_sheet()};
+  const float width = points(panel_margin) + width_at_the_left();
+  return {width > spared_share * ImGui::GetIO().DisplaySize.x ? width : 0.0F, 0.0F};
 }
 
 }  // namespace terrella

@@ -14,7 +14,8 @@ void end_panel_window();
 void begin_rows(PanelPlace place);
 void end_rows(PanelPlace place);
 
-// Height (pixels) of the window's lower edge that an unfolded sheet hides; 0 at the left edge.
-float height_of_sheet(PanelPlace place);
+// What an unfolded panel hides: a sheet the window's lower edge, one at the left as much as it is wide if that is more
+// than a third of the window, else nothing worth to make room for.
+Covered covered_by(PanelPlace place);
 
 }  // namespace terrella

@@ -61,9 +61,9 @@ void Sheet::toggle_lock(const Parameter& parameter) {
 }
 
 void Sheet::place(std::string_view name, std::string_view suffix) const {
-  const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-  if (suffix.empty() && name == tour_target(memory.tour)) memory.tour.target = {from.x, from.y, to.x, to.y};
+  if (suffix.empty()) note_tour_target(memory.tour, name);
   if (places == nullptr) return;
+  const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
   places->push_back({text_of(name, suffix), from.x, from.y, to.x, to.y});
 }
 

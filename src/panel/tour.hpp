@@ -10,8 +10,13 @@ namespace terrella {
 // The widget to which the bubble now points; empty where it points to none.
 std::string_view tour_target(const Tour& tour);
 
-// Beside the panel, which ends at panel_right, in pixels; below its target where there is no room. Nothing unless
-// memory.tour.wanted; its buttons lead on and end that.
+// Scrolls the widget that was drawn last into sight, once, if it is the target, and notes where it is.
+void note_tour_target(Tour& tour, std::string_view name);
+
+// Beside the panel, which ends at panel_right, in pixels; over a sheet, or below its target where there is no room. A
+// folded panel has only the first, which is about the planet. Nothing unless memory.tour.wanted, nor beside the list of
+// keys; its buttons lead on
+// and end that, and so does Escape.
 void tour_bubble(Sheet& sheet, float panel_right);
 
 }  // namespace terrella

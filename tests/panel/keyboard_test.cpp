@@ -146,7 +146,7 @@ TEST_F(KeyboardTest, EscapeClosesTheListOfKeysFirst) {
 
 TEST_F(KeyboardTest, StaysWhenThePanelFoldsAndUnfolds) {
   for (const bool below : {false, true}) {
-    panel.put_below(below);
+    panel.put_at({below, below});
     frames(3);
     enter();
     if (count_of("unfold") > 0) tap(ImGuiKey_Enter);
@@ -163,7 +163,7 @@ TEST_F(KeyboardTest, StaysWhenThePanelFoldsAndUnfolds) {
 }
 
 TEST_F(KeyboardTest, GoesDownTheRowsOfASheet) {
-  panel.put_below(true);
+  panel.put_at({true, true});
   ImGui::GetIO().DisplaySize = {390.0F, 844.0F};
   frames(3);
   enter();

@@ -11,7 +11,7 @@ class SheetTest : public PanelTest {
     unsigned char* pixels = nullptr;
     int columns = 0, rows = 0;
     ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &columns, &rows);
-    panel.put_below(true);
+    panel.put_at({true, true});
     frames(3);
   }
 
@@ -26,8 +26,8 @@ class SheetTest : public PanelTest {
     return {(place.left + place.right) * 0.5F, (place.top + place.bottom) * 0.5F};
   }
 
-  // Puts a finger on a widget, draws it by so much and lets go.
-  void draw(const std::string& name, ImVec2 by) {
+  // Puts a finger on a widget, draws it by so much, lets it rest for so many frames and lets go.
+  void draw(const std::string& name, ImVec2 by, int rest = 20) {
     const ImVec2 from = middle_of(name);
     finger(from);
     press();
@@ -35,6 +35,7 @@ class SheetTest : public PanelTest {
       const float part = static_cast<float>(i) / 10.0F;
       finger({from.x + part * by.x, from.y + part * by.y});
     }
+    frames(rest);
     release();
     frames(2);
   }
@@ -51,13 +52,16 @@ class SheetTest : public PanelTest {
   double terrain_height() const { return document.scene.terrain.height; }
 };
 
-TEST(PanelPlace, IsBelowInNarrowWindowsAndUnderFingersHeldUpright) {
-  EXPECT_TRUE(panel_lies_below(390, 844, true));
-  EXPECT_TRUE(panel_lies_below(390, 844, false));
-  EXPECT_TRUE(panel_lies_below(820, 1180, true));
-  EXPECT_FALSE(panel_lies_below(820, 1180, false));
-  EXPECT_FALSE(panel_lies_below(844, 390, true));
-  EXPECT_FALSE(panel_lies_below(1280, 720, false));
+TEST(PanelPlace, IsBelowInNarrowWindowsAndUnderFingersHeldUprightAndFoldedOnPhones) {
+  const PanelPlace sheet{true, true}, handle{false, true}, open{false, false};
+  EXPECT_EQ(first_panel_place(390, 844, true), sheet);
+  EXPECT_EQ(first_panel_place(390, 844, false), sheet);
+  EXPECT_EQ(first_panel_place(820, 1180, true), sheet);
+  EXPECT_EQ(first_panel_place(820, 1180, false), open);
+  EXPECT_EQ(first_panel_place(844, 390, true), handle);
+  EXPECT_EQ(first_panel_place(844, 390, false), open);
+  EXPECT_EQ(first_panel_place(1180, 820, true), open);
+  EXPECT_EQ(first_panel_place(1280, 720, false), open);
 }
 
 TEST_F(SheetTest, IsFoldedToAHandleAtFirst) {
@@ -67,19 +71,19 @@ TEST_F(SheetTest, IsFoldedToAHandleAtFirst) {
   EXPECT_NEAR((handle.left + handle.right) * 0.5F, 195.0F, 1.0F);
   EXPECT_GT(handle.bottom, 800.0F);
   EXPECT_LE(handle.bottom, 844.0F);
-  EXPECT_EQ(panel.covered_below(), 0.0F);
+  EXPECT_EQ(panel.covered().below, 0.0F);
 }
 
 TEST_F(SheetTest, UnfoldsOverTheWholeWidthAndHidesLessThanHalf) {
   click("unfold");
-  EXPECT_NEAR(panel.covered_below(), 0.45F * 844.0F, 1.0F);
+  EXPECT_NEAR(panel.covered().below, 0.45F * 844.0F, 1.0F);
   for (const WidgetPlace& place : places) {
     EXPECT_GE(place.left, 0.0F) << place.name;
     EXPECT_LE(place.right, 390.0F) << place.name;
-    EXPECT_GE(place.top, 844.0F - panel.covered_below()) << place.name;
+    EXPECT_GE(place.top, 844.0F - panel.covered().below) << place.name;
   }
   click("fold");
-  EXPECT_EQ(panel.covered_below(), 0.0F);
+  EXPECT_EQ(panel.covered().below, 0.0F);
 }
 
 TEST_F(SheetTest, IsHighEnoughForFingers) {
@@ -94,13 +98,60 @@ TEST_F(SheetTest, IsHighEnoughForFingers) {
   }
 }
 
-TEST_F(SheetTest, LiesAtTheLeftUnfoldedWhenTurned) {
-  panel.put_below(false);
+TEST_F(SheetTest, LiesAtTheLeftWhenTurnedAndThePlanetMakesRoom) {
+  panel.put_at({false, true});
   ImGui::GetIO().DisplaySize = {844.0F, 390.0F};
   frames(3);
-  ASSERT_EQ(count_of("fold"), 1);
-  EXPECT_LT(place_of("fold").top, 60.0F);
-  EXPECT_EQ(panel.covered_below(), 0.0F);
+  EXPECT_EQ(panel.covered(), Covered());
+  click("unfold");
+  frames(3);
+  const WidgetPlace fold = place_of("fold");
+  EXPECT_LT(fold.top, 60.0F);
+  EXPECT_EQ(panel.covered().below, 0.0F);
+  EXPECT_GT(panel.covered().left, fold.right);
+  EXPECT_LT(panel.covered().left, fold.right + 30.0F);
+  ImGui::GetIO().DisplaySize = {1280.0F, 720.0F};
+  frames(3);
+  EXPECT_EQ(panel.covered(), Covered());  // there is room beside it
+}
+
+TEST_F(SheetTest, RunsOnWhenAFingerThrowsItAndAPressOnlyStopsIt) {
+  click("unfold");
+  const float top = place_of("preset").top;
+  draw("preset", {0.0F, -60.0F}, 0);
+  const float thrown = place_of("preset").top;
+  EXPECT_TRUE(panel.moves());
+  EXPECT_LT(thrown, top - 60.0F);
+  frames(5);
+  EXPECT_LT(place_of("preset").top, thrown);
+  const SceneDocument before = document;
+  const ImVec2 stop{195.0F, 700.0F};
+  finger(stop);
+  press();
+  release();
+  frames(2);
+  EXPECT_FALSE(panel.moves());
+  const float stopped = place_of("preset").top;
+  frames(10);
+  EXPECT_EQ(place_of("preset").top, stopped);
+  EXPECT_EQ(document, before);
+}
+
+TEST_F(SheetTest, StandsWhereAFingerLeavesItAfterARest) {
+  click("unfold");
+  draw("preset", {0.0F, -60.0F});
+  EXPECT_FALSE(panel.moves());
+}
+
+TEST_F(SheetTest, KeepsWhatIsTypedInSightOfAKeyboardOnTheScreen) {
+  click("unfold");
+  panel.start_search();
+  frames(8);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  ImGui::GetIO().DisplaySize = {390.0F, 500.0F};
+  frames(5);
+  EXPECT_GT(place_of("search").top, 500.0F - panel.covered().below);
+  EXPECT_LT(place_of("search").bottom, 500.0F);
 }
 
 TEST_F(SheetTest, AFingerDrawnUpScrollsAndChangesNothing) {

@@ -57,13 +57,27 @@ TEST_F(PanelTest, BubblesCoverNothingOfThePanelAndPointToTheirWidget) {
   }
 }
 
-TEST_F(PanelTest, AFoldedPanelShowsNobodyAround) {
+TEST_F(PanelTest, TheTourUnfoldsThePanelWhereItIsAboutIt) {
   panel.take_habits("tour folded");
   frames(3);
-  EXPECT_EQ(count_of("tour/next"), 0);
-  click("unfold");
+  EXPECT_EQ(count_of("unfold"), 1);
+  click("tour/next");
   frames(2);
+  EXPECT_EQ(count_of("fold"), 1);
+  click("fold");
+  frames(2);
+  EXPECT_EQ(count_of("tour/next"), 0);
+}
+
+TEST_F(PanelTest, EscapeEndsTheTourButAnOpenListFirst) {
+  panel.take_habits("tour");
+  frames(3);
+  click("preset");
+  tap(ImGuiKey_Escape);
   EXPECT_EQ(count_of("tour/next"), 1);
+  tap(ImGuiKey_Escape);
+  EXPECT_EQ(count_of("tour/next"), 0);
+  EXPECT_EQ(panel.habits(), "");
 }
 
 class PhonesPanelTest : public PanelTest {
@@ -72,6 +86,7 @@ class PhonesPanelTest : public PanelTest {
 };
 
 TEST_F(PhonesPanelTest, BubblesStayInTheWindow) {
+  panel.put_at({true, true});
   panel.take_habits("tour");
   frames(3);
   for (int i = 0; i < 4; ++i) {
@@ -80,6 +95,22 @@ TEST_F(PhonesPanelTest, BubblesStayInTheWindow) {
     EXPECT_GE(next.left, 0.0F) << i;
     EXPECT_LE(next.right, 360.0F) << i;
     EXPECT_LE(next.bottom, 640.0F) << i;
+    EXPECT_GE(next.top, 0.0F) << i;
+    click("tour/next");
+  }
+}
+
+TEST_F(PhonesPanelTest, WhatABubbleIsAboutIsScrolledIntoSight) {
+  panel.put_at({true, true});
+  panel.take_habits("tour");
+  frames(3);
+  for (const std::string target : {"", "preset", "terrain", "copy_link"}) {
+    frames(4);
+    if (!target.empty()) {
+      EXPECT_GT(place_of(target).top, place_of("fold").bottom) << target;
+      EXPECT_LT(place_of(target).bottom, 640.0F) << target;
+      EXPECT_LT(place_of("tour/next").bottom, place_of(target).top) << target;
+    }
     click("tour/next");
   }
 }

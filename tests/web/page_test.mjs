@@ -275,6 +275,17 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('fills the screen by its button, and leaves it again', async () => {
+    const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 600 } });
+    const button = [276, 28];
+    await press(page, ...button);
+    await until(page, () => document.fullscreenElement === document.querySelector('canvas'));
+    await press(page, ...button);
+    await until(page, () => document.fullscreenElement === null);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   // As a hand does, which rests on what it presses.
   const press = async (page, x, y) => {
     await page.mouse.move(x, y);

@@ -70,16 +70,53 @@ describe('the page on a phone', () => {
     await page.context().close();
   });
 
-  test('stands at the left again when the phone is turned', async () => {
+  test('has its panel at the left when the phone is turned, folded at first; the planet makes room there, too', async () => {
     const page = await open(query, phone);
     await page.setViewportSize({ width: 844, height: 390 });
     await settled(page);
+    const right = () => look(page, undefined, { x: 560, y: 100, width: 120, height: 190 });
+    const folded = await right();
+    await page.touchscreen.tap(35, 32);
+    await settled(page);
+    const unfolded = await right();
+    assert.ok(unfolded.brightness > 1.5 * folded.brightness, JSON.stringify([folded, unfolded]));
     const start = await camera(page);
     const fingers = await fingersOn(page);
     await fingers.draw([100, 330], [100, 250]);  // on the panel
     assert.equal(await camera(page), start);
     await fingers.draw([700, 200], [650, 200]);
     assert.notEqual(await camera(page), start);
+    await page.context().close();
+  });
+
+  test('shows the keyboard of the screen for what can be typed, and takes it away again', async () => {
+    const page = await open(query, phone);
+    await settled(page);
+    await page.touchscreen.tap(...handle);
+    await settled(page);
+    const field = () => page.evaluate(() => document.activeElement.localName + ' ' + document.querySelectorAll('input').length);
+    assert.equal(await field(), 'canvas 0');
+    await page.touchscreen.tap(150, 746);  // the search
+    await until(page, () => document.activeElement.localName === 'input');
+    // A keyboard that guesses words: it writes, takes back and writes better; keys have no names.
+    const writes = text => page.keyboard.insertText(text);
+    const before = await look(page);
+    await writes('wafes');
+    const misspelt = await look(page);
+    assert.notDeepEqual(misspelt, before);  // nothing is called so
+    await page.evaluate(() => {
+      const input = document.activeElement;
+      input.value = input.value.slice(0, -3) + 'ves.count';
+      input.dispatchEvent(new InputEvent('input'));
+    });
+    await settled(page);
+    await page.keyboard.press('Enter');
+    await until(page, () => document.activeElement.localName === 'canvas');
+    assert.equal(await field(), 'canvas 0');
+    const count = await page.evaluate(() => terrella.get('waves.count'));
+    await page.touchscreen.tap(250, 820);  // on the one slider that is found
+    await until(page, before => terrella.get('waves.count') !== before, count);
+    assert.deepEqual(page.wrong, []);
     await page.context().close();
   });
 

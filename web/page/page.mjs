@@ -55,6 +55,10 @@ planet.api.on('change', () => {
 document.addEventListener('paste', event => planet.paste(event.clipboardData.getData('text')));
 addEventListener('resize', () => planet.fit());
 
+// Keys are for it from the start, without a frame around it.
+canvas.toggleAttribute('data-by-hand', true);
+canvas.focus({ preventScroll: true });
+
 window.terrella = planet.api;
 planet.start();
 

@@ -26,6 +26,7 @@ export class Planet {
   #breakReady;
   #listeners = { change: new Set() };
   #describing = 0;
+  #screenKeys = null;
 
   api;  // what programs get; see terrella.d.ts
 
@@ -71,8 +72,9 @@ export class Planet {
     this.setClock();
     this.#describe();
     const hand = { canvas: this.#canvas, program: this.#program, wake: () => this.#wake() };
-    listenToPointers(hand);
-    listenToKeys(hand);
+    this.#screenKeys = new ScreenKeys(hand);
+    listenToPointers(hand, this.#screenKeys);
+    listenToKeys(hand, this.#canvas);
     this.#listenToDrops();
     new ResizeObserver(() => this.fit()).observe(this.#canvas);
     this.#begin();
@@ -167,6 +169,7 @@ export class Planet {
       setTimeout(() => this.#wake(), 15);  // not at the next frame: there is nothing to paint, and the driver is busy
       return;
     }
+    this.#screenKeys.follow();
     const [drawn, again, whole] = [1, 2, 4].map(bit => ((result - 1) & bit) !== 0);
     if (drawn) this.#around.shown();
     if (whole) this.#keepReady();
@@ -317,7 +320,7 @@ function save(blob, name) {
 
 const buttonOf = event => ({ 0: 0, 1: 2, 2: 1 })[event.button] ?? 0;
 
-function listenToPointers({ canvas, program, wake }) {
+function listenToPointers({ canvas, program, wake }, screenKeys) {
   const fingers = new Map();
   const place = event => {
     const box = canvas.getBoundingClientRect();
@@ -345,7 +348,7 @@ function listenToPointers({ canvas, program, wake }) {
   const down = event => {
     // A frame around the planet is for who came by keys; browsers draw it as well after a call of focus.
     canvas.toggleAttribute('data-by-hand', true);
-    canvas.focus();
+    if (!screenKeys.shown) canvas.focus();
     canvas.setPointerCapture(event.pointerId);
     const at = place(event);
     if (event.pointerType === 'touch') fingers.set(event.pointerId, at);
@@ -363,6 +366,7 @@ function listenToPointers({ canvas, program, wake }) {
     fingers.delete(event.pointerId);
     if (!wasPinch) program._terrella_pointer_button(buttonOf(event), 0);
     if (event.pointerType === 'touch') program._terrella_pointer_left();
+    screenKeys.pressed(event);
   };
   const wheel = event => {
     event.preventDefault();
@@ -379,7 +383,78 @@ function listenToPointers({ canvas, program, wake }) {
   canvas.addEventListener('contextmenu', event => event.preventDefault());
 }
 
-function listenToKeys({ canvas, program, wake }) {
+// The keyboard on the screen of a device that has no other: browsers show it only for a field of their own. One that nobody
+// sees stands where the finger was, and what is typed into it goes to the panel's field.
+class ScreenKeys {
+  // So that there is always something to delete.
+  static #filler = '\u2007'.repeat(16);
+
+  #hand;
+  #field = document.createElement('input');
+  #before = '';
+  #byFinger = false;
+
+  constructor(hand) {
+    this.#hand = hand;
+    const field = this.#field;
+    Object.assign(field, { type: 'text', autocomplete: 'off', autocapitalize: 'off', spellcheck: false, tabIndex: -1, enterKeyHint: 'done' });
+    field.setAttribute('aria-label', 'What is typed goes to the panel of the planet');
+    // Letters of 16 pixels: a phone would zoom into smaller ones.
+    Object.assign(field.style, { position: 'fixed', width: '1px', height: '1px', border: '0', padding: '0', opacity: '0', pointerEvents: 'none', fontSize: '16px' });
+    listenToKeys(hand, field);
+    field.addEventListener('input', () => this.#typed());
+    field.addEventListener('paste', event => event.preventDefault());  // it goes to the panel by itself
+  }
+
+  get shown() { return this.#field.isConnected; }
+
+  // The end of a press: the moment at which a browser lets a keyboard be shown.
+  pressed(event) {
+    this.#byFinger = event.pointerType === 'touch';
+    if (!this.#byFinger) return;
+    Object.assign(this.#field.style, { left: event.clientX + 'px', top: event.clientY + 'px' });
+    if (this.#hand.program._terrella_wants_text()) this.#show();
+  }
+
+  // After a frame, in which the panel may have begun or ended to wait for text.
+  follow() {
+    const wanted = this.#byFinger && this.#hand.program._terrella_wants_text() === 1;
+    if (wanted && !this.shown) this.#show();
+    if (!wanted && this.shown) this.#hide();
+  }
+
+  #show() {
+    if (!this.shown) this.#hand.canvas.after(this.#field);
+    this.#empty();
+    this.#field.blur();  // where its keyboard was sent away it comes again
+    this.#field.focus({ preventScroll: true });
+  }
+  #hide() {
+    const focused = this.#field.getRootNode().activeElement === this.#field;
+    if (focused) this.#hand.canvas.focus({ preventScroll: true });
+    this.#field.remove();
+  }
+  #empty() {
+    this.#field.value = this.#before = ScreenKeys.#filler;
+    this.#field.setSelectionRange(this.#before.length, this.#before.length);
+  }
+
+  // Keyboards that guess words change what they have written: what has gone is deleted, and what has come is typed.
+  #typed() {
+    const before = [...this.#before], now = [...this.#field.value];
+    let same = 0;
+    while (same < before.length && before[same] === now[same]) ++same;
+    const backspace = keys.indexOf('Backspace'), { program, wake } = this.#hand;
+    for (let i = same; i < before.length; ++i) for (const down of [1, 0]) program._terrella_key(backspace, down, 0, 0);
+    for (const letter of now.slice(same)) program._terrella_text(letter.codePointAt(0));
+    this.#before = this.#field.value;
+    if (now.length < 4) this.#empty();
+    wake();
+  }
+}
+
+// element: the canvas, or what has the focus in its place.
+function listenToKeys({ canvas, program, wake }, element) {
   const key = down => event => {
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const index = Math.max(0, keys.indexOf(name === '=' ? '+' : name));
@@ -391,8 +466,8 @@ function listenToKeys({ canvas, program, wake }) {
     if (ours && (used || event.key !== 'Tab')) event.preventDefault();
     wake();
   };
-  canvas.addEventListener('keydown', key(true));
-  canvas.addEventListener('keyup', key(false));
+  element.addEventListener('keydown', key(true));
+  element.addEventListener('keyup', key(false));
   // Where the focus has gone somebody else hears of the key that goes up.
-  canvas.addEventListener('blur', () => { canvas.removeAttribute('data-by-hand'); program._terrella_keys_left(); wake(); });
+  element.addEventListener('blur', () => { canvas.removeAttribute('data-by-hand'); program._terrella_keys_left(); wake(); });
 }
