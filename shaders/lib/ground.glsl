@@ -1,7 +1,7 @@
 // The colour of the ground: bands by height as in Sandahl 2022 (section 2.1), and, beyond it, slope and latitude.
 
 struct Bands {
-  vec3 sand, land, mountain, snow, seabed;  // linear colours
+  vec3 sand, land, mountain, snow, seabed, sea;  // linear colours; sea: deep water
   float sand_height, mountain_height, snow_height;  // over the water, radii
   float softness;       // 0..1
   float slope_rock;     // 0..1
@@ -29,8 +29,8 @@ vec3 ground_color(float height, float steepness, float sine, float variation, Ba
   float bare = b.slope_rock * smoothstep(0.06, 0.30, steepness) * step(0.0, height);
   color = mix(color, b.mountain, bare);
   float cold = smoothstep(b.snow_sine - 0.10, b.snow_sine + 0.06, abs(sine) + 0.05 * variation);
-  // Where the sea freezes its bottom is dark: between floes narrower than the mesh it is seen without water over it.
-  color *= 1.0 - 0.8 * cold * (1.0 - dry);
+  // Where the sea freezes its bottom looks like deep water: between floes narrower than the mesh nothing lies over it.
+  color = mix(color, 0.5 * b.sea, cold * (1.0 - dry));
   float snowline = mix(b.snow_height, -0.25 * b.snow_height, cold);
   float snow = band(snowline, max(b.snow_height, 1.0e-6), 0.6 * b.softness, x) * step(-1.0e-3 * scale, height);
   float clings = 1.0 - 0.8 * b.slope_rock * smoothstep(0.16, 0.5, steepness);

@@ -16,19 +16,46 @@ float polar_sine(float latitude) {
 // Height of ice over the water, radii.
 const float ice_thickness = 0.0012;
 
-// How far a place lies within the ice: negative beyond its edge and in the cracks between floes, about in radians. The
-// latitude's sine alone decides, but for bays and floes of noise. footprint: rad.
-float ice_cover(vec3 direction, Ice ice, float footprint) {
-  float over = abs(direction.z) - ice.sine;
-  vec3 frequencies = vec3(6.0, 30.0, 17.0);  // of bays, of floes, of the cracks between them
-  vec3 noises = vec3(0.0);
-  for (int i = 0; i < 3; ++i) {  // a third of the code to compile
-    noises[i] = simplex_noise(ivec3(0), frequencies[i] * direction, ice.seed + 901u + uint(i)).value;
+// The floe around a place: of strewn points the nearest one's cell (Worley 1996).
+struct Floe {
+  float from_rim;  // half by how much the next floe's point is further away, cells of floe_frequency
+  float dice;      // 0..1, the same all over the floe
+};
+
+// Floes in a radius, about.
+const float floe_frequency = 15.0;
+
+// place: in cells.
+Floe floe_at(vec3 place, uint seed) {
+  ivec3 cell = ivec3(floor(place));
+  float nearest = 4.0, second = 4.0;
+  uint number = 0u;
+  for (int i = 0; i < 27; ++i) {
+    ivec3 beside = cell + ivec3(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
+    uint hash = hash_cell(beside, seed);
+    float away = distance(place, vec3(beside) + hash_parts(hash) / 1023.0);
+    second = min(second, max(nearest, away));
+    number = away < nearest ? hash : number;
+    nearest = min(nearest, away);
   }
-  float within = over + 0.035 * noises.x + 0.02 * noises.y * layer_weight(frequencies.y, footprint);
-  // Cracks open towards the edge and close at the pole.
-  float crack = (abs(noises.z) - 0.16 * (1.0 - smoothstep(0.0, 0.12, within))) * 0.05;
-  return min(within, crack);
+  Floe floe;
+  floe.from_rim = 0.5 * (second - nearest);
+  floe.dice = float((number >> 5) & 1023u) / 1023.0;
+  return floe;
+}
+
+// How far a place lies within the ice: negative beyond its edge and between floes, about in radians. The latitude decides
+// and bays of noise: at the pole the ice is whole, towards its edge it breaks into floes that lie ever further apart, until
+// some are missing. footprint: rad.
+float ice_cover(vec3 direction, Ice ice, float footprint) {
+  float bays = simplex_noise(ivec3(0), 6.0 * direction, ice.seed + 901u).value;
+  float within = abs(direction.z) - ice.sine + 0.035 * bays;
+  Floe floe = floe_at(floe_frequency * direction, ice.seed + 902u);
+  float rim = floe.from_rim / floe_frequency;
+  float apart = 0.006 * (1.0 - smoothstep(0.0, 0.12, within));
+  bool missing = floe.dice > 0.45 + 0.6 * smoothstep(-0.03, 0.05, within);
+  float floes = (missing ? -rim : rim) - apart;
+  return min(within + 0.03, mix(within, floes, layer_weight(floe_frequency, footprint)));
 }
 
 // Whether there can be ice at a place at all.

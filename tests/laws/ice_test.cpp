@@ -41,5 +41,39 @@ TEST(Ice, LiesALittleOverTheWaterAndEndsInASlopeUnderIt) {
   EXPECT_EQ(f64::ice_height(-1.0, polar), polar.sea - 0.04);
 }
 
+TEST(Floes, AreWhereNoPointOfAnotherIsNearer) {
+  test::Places places(2);
+  for (int i = 0; i < 2'000; ++i) {
+    const glm::dvec3 place = 15.0 * places.on_sphere();
+    double nearest = 9.0, second = 9.0;
+    const glm::ivec3 cell(glm::floor(place));
+    for (int x = -3; x <= 3; ++x) {
+      for (int y = -3; y <= 3; ++y) {
+        for (int z = -3; z <= 3; ++z) {
+          const glm::ivec3 beside = cell + glm::ivec3(x, y, z);
+          const glm::dvec3 point = glm::dvec3(beside) + f64::hash_parts(f64::hash_cell(beside, 5U)) / 1023.0;
+          const double away = glm::distance(place, point);
+          second = std::min(second, std::max(nearest, away));
+          nearest = std::min(nearest, away);
+        }
+      }
+    }
+    ASSERT_NEAR(f64::floe_at(place, 5U).from_rim, 0.5 * (second - nearest), 1e-12);
+  }
+}
+
+TEST(Floes, LeaveNoStepInTheCover) {
+  test::Places places(3);
+  constexpr double step = 1e-4;
+  for (int i = 0; i < 20'000; ++i) {
+    const glm::dvec3 a = places.on_sphere();
+    if (!f64::ice_near(a, polar)) continue;
+    const glm::dvec3 b = glm::normalize(a + step * places.on_sphere());
+    // Rims move by a radian for each radian of a place, bays and the latitude by less.
+    const double change = f64::ice_cover(a, polar, 1e-4) - f64::ice_cover(b, polar, 1e-4);
+    ASSERT_LE(std::abs(change), 2.0 * step);
+  }
+}
+
 }  // namespace
 }  // namespace terrella
