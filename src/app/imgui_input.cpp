@@ -72,6 +72,11 @@ void key(Key key, bool down, Modifiers modifiers) {
   if (imgui_key(key) != ImGuiKey_None) io.AddKeyEvent(imgui_key(key), down);
 }
 
+void paste(Modifiers held) {
+  key(Key::v, true, {.shift = false, .control = true});
+  key(Key::v, false, held);
+}
+
 void text(unsigned codepoint) { ImGui::GetIO().AddInputCharacter(codepoint); }
 
 }  // namespace terrella::imgui_input

@@ -15,5 +15,7 @@ void wheel(double notches);
 bool navigates(Key key);
 void key(Key key, bool down, Modifiers modifiers);
 void text(unsigned codepoint);
+// Ctrl+V, whatever keys are held: while Ctrl is, fields take no letters.
+void paste(Modifiers held);
 
 }  // namespace terrella::imgui_input

@@ -31,7 +31,8 @@ class Session {
   // What the surroundings do for the session.
   struct Host {
     std::function<void()> scene_changed;                   // by the user or by a call
-    std::function<void(const std::string&)> copy_text;     // to the clipboard
+    std::function<void(const std::string&)> copy_text;     // a link or JSON, to the clipboard
+    std::function<void(const std::string&)> copy_typed;    // what was marked in a field of the panel, likewise
     std::function<void(const std::string&)> save_json;     // offers a file
     std::function<void()> open_json;                       // asks for a file; comes back through load_json
     std::function<void(const PictureWish&)> save_picture;  // offers a picture made by picture()
@@ -67,6 +68,7 @@ class Session {
   bool key(Key key, bool down, Modifiers modifiers);
   void keys_left();  // the keyboard has gone elsewhere: none is held any more
   void text(unsigned codepoint);
+  // From the clipboard: into the field that has the keyboard, else it is a scene. Ctrl+V by itself does nothing.
   void pasted(const std::string& text);
 
   struct Turn {
@@ -109,6 +111,7 @@ class Session {
 
   bool is_for_panel(Key key) const;
   bool lead_into_panel();
+  void share_clipboard();
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
@@ -138,6 +141,7 @@ class Session {
   SceneDocument opened_;  // as it was when it was loaded
   History history_;
   ImGuiContext* imgui_;
+  std::string clipboard_;  // as the panel's fields know it
   std::unique_ptr<PanelPainter> painter_;  // from when the panel first runs in a context
   Panel panel_;
   std::string kept_habits_ = panel_.habits();
