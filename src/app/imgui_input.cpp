@@ -1,6 +1,7 @@
 #include "app/imgui_input.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // the queue of events
 
 #include <cfloat>
 
@@ -78,5 +79,7 @@ void paste(Modifiers held) {
 }
 
 void text(unsigned codepoint) { ImGui::GetIO().AddInputCharacter(codepoint); }
+
+bool waiting() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 
 }  // namespace terrella::imgui_input

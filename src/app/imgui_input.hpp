@@ -18,4 +18,7 @@ void text(unsigned codepoint);
 // Ctrl+V, whatever keys are held: while Ctrl is, fields take no letters.
 void paste(Modifiers held);
 
+// Whether some of it is still to come: Dear ImGui takes a key's way down and its way up in different frames.
+bool waiting();
+
 }  // namespace terrella::imgui_input

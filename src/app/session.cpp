@@ -394,6 +394,7 @@ void Session::run_panel() {
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
+  if (imgui_input::waiting()) panel_frames_ = std::max(panel_frames_, 4);  // one for it, three to settle
   const float covered = panel_.covered_below();
   const bool had_keyboard = panel_.has_keyboard();
   const PanelWishes wishes = panel_.draw(document_, facts());

@@ -141,7 +141,7 @@ class Session {
   SceneDocument opened_;  // as it was when it was loaded
   History history_;
   ImGuiContext* imgui_;
-  std::string clipboard_;  // as the panel's fields know it
+  std::string clipboard_;                  // as the panel's fields know it
   std::unique_ptr<PanelPainter> painter_;  // from when the panel first runs in a context
   Panel panel_;
   std::string kept_habits_ = panel_.habits();

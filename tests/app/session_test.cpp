@@ -286,6 +286,26 @@ TEST_F(SessionTest, FieldsShareTheClipboardWithEverybody) {
   EXPECT_EQ(copy_all(), "x");
 }
 
+// Where frames take long, a word is typed between two of them.
+TEST_F(SessionTest, WhatIsTypedWithinAFrameArrivesWhole) {
+  session.load_link("quality.resolution_scale=0.25");
+  session.resize(640, 400, 1.0);
+  settle();
+  session.text('/');
+  settle();
+  for (int i = 0; i < 12; ++i) {
+    session.key(Key::z, true, {});
+    session.text('z');
+    session.key(Key::z, false, {});
+  }
+  settle();
+  tap(Key::a, control);
+  settle();
+  tap(Key::c, control);
+  settle();
+  EXPECT_EQ(copied, "zzzzzzzzzzzz");
+}
+
 TEST_F(SessionTest, WhileCIsHeldThePlanetIsAsItWasOpened) {
   session.load_link("preset=moon");
   const auto opened = pixels();
