@@ -7,6 +7,9 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <cstdlib>
 #include <utility>
@@ -27,6 +30,9 @@ void change_environment(const std::string& change) {
 
 // In the new process. Comes back only if it fails.
 void become(const Child::Start& start) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // tests that are stopped leave nothing behind
+#endif
   for (const std::string& change : start.environment) change_environment(change);
   if (chdir(start.folder.c_str()) != 0) return;
   if (!start.complaints.empty()) {

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <fstream>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
+#include "window/drop.hpp"
 #include "window/patience.hpp"
 #include "window/window_fixture.hpp"
 
@@ -68,6 +70,13 @@ TEST_F(ExchangeTest, OfABrokenSceneOnlyANoticeComes) {
   EXPECT_TRUE(changes(before, kNotices));
   EXPECT_EQ(copied_link(), link);
   EXPECT_LT(difference(settled(), before, kPlanet), 0.1);
+}
+
+TEST_F(ExchangeTest, AFileThatIsDraggedInIsLoaded) {
+  const fs::path file = home / "dragged here.json";
+  std::ofstream(file) << R"({"preset":"moon","camera":{"longitude":90},"time":{"speed":0}})";
+  ASSERT_TRUE(drop_file(*screen, "Terrella", home / "dragged%20here.json"));
+  EXPECT_TRUE(until([this] { return copied_link() == "preset=moon&camera.longitude=90&time.speed=0"; }));
 }
 
 TEST_F(ExchangeTest, FieldsPasteAndCopyToo) {

@@ -37,11 +37,15 @@ Result<std::unique_ptr<Screen>> Screen::open() {
                               ".",
                               "/dev/null"});  // it complains of names of keys that it doesn't know
   close(number[1]);
-  const std::string name = server ? ':' + told_number(number[0]) : std::string();
+  const std::string told = server ? told_number(number[0]) : std::string();
   close(number[0]);
   if (!server) return Failure{text_of(server.sentence(), " scripts/setup.sh test installs it.")};
+  if (told.empty()) return Failure{"Xvfb does not begin to work."};
+  const std::string name = ':' + told;
   _XDisplay* const connection = XOpenDisplay(name.c_str());
   if (connection == nullptr) return Failure{text_of("Xvfb does not answer as display ", name, '.')};
+  // By itself, Xlib would end the tests because of a window that goes while it is asked about.
+  XSetErrorHandler([](_XDisplay*, XErrorEvent*) { return 0; });
   return std::unique_ptr<Screen>(new Screen(std::move(*server), name, connection));
 }
 

@@ -29,16 +29,14 @@ class Screen {
 
   [[nodiscard]] Picture picture() const;
 
-  // Of the one window of a title that is shown; none while there is no such window.
+  // The one window of a title that is shown, by X's number; 0 while there is no such window.
+  [[nodiscard]] unsigned long window(const std::string& title) const;
   [[nodiscard]] std::optional<Box> place_of_window(const std::string& title) const;
   // As the cross in its frame would.
   void ask_to_close(const std::string& title);
 
  private:
   Screen(Child server, std::string name, _XDisplay* connection);
-  // 0: none.
-  [[nodiscard]] unsigned long window(const std::string& title) const;
-
   Child server_;
   std::string name_;
   _XDisplay* connection_;
