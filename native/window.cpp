@@ -106,6 +106,7 @@ void Window::run(const SceneDocument& document) {
 Session::Host Window::host() {
   Session::Host host;
   host.copy_text = [this](const std::string& text) { glfwSetClipboardString(handle_.get(), text.c_str()); };
+  host.copy_typed = host.copy_text;
   host.save_json = [this](const std::string& text) { tell(save_new_file("planet", ".json", text + "\n")); };
   host.open_json = [this] { session_.add_notices({"To open a scene, drag its JSON file into this window."}); };
   host.keep_habits = [this](const std::string& habits) { terrella::keep_habits(habits_path_, habits); };

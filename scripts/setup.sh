@@ -46,6 +46,8 @@ native() {
   header_from libegl-dev EGL/egl.h
   header_from libpng-dev png.h
   header_from libgtest-dev gtest/gtest.h
+  header_from libx11-dev X11/Xlib.h # hands and eyes of the tests of the window
+  header_from libxtst-dev X11/extensions/XTest.h
   # A driver that draws without a graphics card, for the tests and for `terrella render`.
   file_from libgl1-mesa-dri "lib/*/dri/swrast_dri.so"
   file_from libegl-mesa0 "share/glvnd/egl_vendor.d/*.json"
@@ -69,7 +71,7 @@ browser() {
 case ${1-} in
   native) native ;;
   web) web ;;
-  test) native && web && browser ;;
+  test) native && web && browser && command_from xvfb Xvfb ;;
   bench) native && web && browser && header_from libbenchmark-dev benchmark/benchmark.h ;;
   format) command_from clang-format clang-format ;;
   *) sed -n 's/^# \(setup.sh .*\)/\1/p' "$0" >&2; exit 2 ;;

@@ -25,6 +25,7 @@ using terrella::Session;
 EM_JS(void, page_name_canvas, (), { specialHTMLTargets["!planet"] = Module.canvas; });
 EM_JS(void, page_scene_changed, (), { Module.onSceneChanged(); });
 EM_JS(void, page_copy_text, (const char* text), { Module.onCopyText(UTF8ToString(text)); });
+EM_JS(void, page_copy_typed, (const char* text), { Module.onCopyTyped(UTF8ToString(text)); });
 EM_JS(void, page_save_json, (const char* text), { Module.onSaveJson(UTF8ToString(text)); });
 EM_JS(void, page_open_json, (), { Module.onOpenJson(); });
 EM_JS(void, page_save_picture, (int width, int height, int transparent),
@@ -156,6 +157,7 @@ int main() {
   Session::Host host;
   host.scene_changed = page_scene_changed;
   host.copy_text = [](const std::string& text) { page_copy_text(text.c_str()); };
+  host.copy_typed = [](const std::string& text) { page_copy_typed(text.c_str()); };
   host.save_json = [](const std::string& text) { page_save_json(text.c_str()); };
   host.open_json = page_open_json;
   host.save_picture = [](const terrella::PictureWish& wish) {

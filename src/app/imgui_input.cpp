@@ -73,10 +73,13 @@ void key(Key key, bool down, Modifiers modifiers) {
   if (imgui_key(key) != ImGuiKey_None) io.AddKeyEvent(imgui_key(key), down);
 }
 
+void paste(Modifiers held) {
+  key(Key::v, true, {.shift = false, .control = true});
+  key(Key::v, false, held);
+}
+
 void text(unsigned codepoint) { ImGui::GetIO().AddInputCharacter(codepoint); }
 
-void text(const std::string& utf8) { ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str()); }
-
-bool events_left() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
+bool waiting() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 
 }  // namespace terrella::imgui_input

@@ -1,8 +1,6 @@
 // Hands to Dear ImGui, in pixels.
 #pragma once
 
-#include <string>
-
 #include "app/input.hpp"
 
 namespace terrella::imgui_input {
@@ -17,9 +15,10 @@ void wheel(double notches);
 bool navigates(Key key);
 void key(Key key, bool down, Modifiers modifiers);
 void text(unsigned codepoint);
-void text(const std::string& utf8);
+// Ctrl+V, whatever keys are held: while Ctrl is, fields take no letters.
+void paste(Modifiers held);
 
-// Whether events wait for the next frame: a key pressed twice takes as many.
-bool events_left();
+// Whether some of it is still to come: Dear ImGui takes a key's way down and its way up in different frames.
+bool waiting();
 
 }  // namespace terrella::imgui_input

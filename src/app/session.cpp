@@ -44,6 +44,7 @@ Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContex
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
   ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  share_clipboard();
   style_panel(static_cast<float>(scale_));
   history_.start({document_, opened_});
 }
@@ -51,6 +52,18 @@ Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContex
 Session::~Session() {
   painter_.reset();
   ImGui::DestroyContext(imgui_);
+}
+
+// By itself, Dear ImGui would have a clipboard of its own, of which nobody else knows.
+void Session::share_clipboard() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = this;
+  io.GetClipboardTextFn = [](void* session) { return static_cast<const Session*>(session)->clipboard_.c_str(); };
+  io.SetClipboardTextFn = [](void* session, const char* text) {
+    Session& self = *static_cast<Session*>(session);
+    self.clipboard_ = text;
+    if (self.host_.copy_typed) self.host_.copy_typed(self.clipboard_);
+  };
 }
 
 void Session::context_made() {
@@ -190,7 +203,9 @@ bool Session::key(Key key, bool down, Modifiers modifiers) {
   const bool typing = is_for_panel(key);
   const bool used = key != Key::unknown && (key != Key::tab || typing || (down && lead_into_panel()));
   // Where nothing of the panel has the keyboard, arrows must not wake what had it last.
-  if (typing || !down || !imgui_input::navigates(key) || key == Key::escape) imgui_input::key(key, down, modifiers);
+  const bool for_imgui = typing || !down || !imgui_input::navigates(key) || key == Key::escape;
+  const bool pastes = modifiers.control && key == Key::v;  // pasted() follows, with what the clipboard holds now
+  if (for_imgui && !pastes) imgui_input::key(key, down, modifiers);
   if (down && !typing && modifiers.control) {
     if (key == Key::z) modifiers.shift ? redo() : undo();
     if (key == Key::y) redo();
@@ -281,7 +296,8 @@ void Session::text(unsigned codepoint) {
 
 void Session::pasted(const std::string& text) {
   if (ImGui::GetIO().WantTextInput) {
-    imgui_input::text(text);
+    clipboard_ = text;
+    imgui_input::paste(modifiers_);
     panel_frames_ = 3;
   } else if (text.find('{') != std::string::npos) {
     add_notices(load_json(text));
@@ -383,11 +399,12 @@ void Session::run_panel() {
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
+  if (imgui_input::waiting()) panel_frames_ = std::max(panel_frames_, 4);  // one for it, three to settle
   const Covered covered = panel_.covered();
   const bool had_keyboard = panel_.has_keyboard();
   const PanelWishes wishes = panel_.draw(document_, facts());
   if (panel_.covered() != covered) planet_stale_ = true;
-  if (panel_.moves() || imgui_input::events_left()) panel_frames_ = std::max(panel_frames_, 2);
+  if (panel_.moves()) panel_frames_ = std::max(panel_frames_, 2);
   if (had_keyboard && !panel_.has_keyboard()) tab_leads_out_ = ImGui::IsKeyDown(ImGuiKey_Escape);
   ImGui::Render();
   keep_habits();

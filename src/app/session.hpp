@@ -31,7 +31,8 @@ class Session {
   // What the surroundings do for the session.
   struct Host {
     std::function<void()> scene_changed;                   // by the user or by a call
-    std::function<void(const std::string&)> copy_text;     // to the clipboard
+    std::function<void(const std::string&)> copy_text;     // a link or JSON, to the clipboard
+    std::function<void(const std::string&)> copy_typed;    // what was marked in a field of the panel, likewise
     std::function<void(const std::string&)> save_json;     // offers a file
     std::function<void()> open_json;                       // asks for a file; comes back through load_json
     std::function<void(const PictureWish&)> save_picture;  // offers a picture made by picture()
@@ -69,6 +70,7 @@ class Session {
   void text(unsigned codepoint);
   // Whether a field of the panel waits for text: where there are no keys, they are to be shown.
   [[nodiscard]] bool wants_text() const;
+  // From the clipboard: into the field that has the keyboard, else it is a scene. Ctrl+V by itself does nothing.
   void pasted(const std::string& text);
 
   struct Turn {
@@ -111,6 +113,7 @@ class Session {
 
   bool is_for_panel(Key key) const;
   bool lead_into_panel();
+  void share_clipboard();
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
@@ -140,6 +143,7 @@ class Session {
   SceneDocument opened_;  // as it was when it was loaded
   History history_;
   ImGuiContext* imgui_;
+  std::string clipboard_;                  // as the panel's fields know it
   std::unique_ptr<PanelPainter> painter_;  // from when the panel first runs in a context
   Panel panel_;
   std::string kept_habits_ = panel_.habits();

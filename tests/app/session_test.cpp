@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -73,6 +74,7 @@ class SessionTest : public testing::Test {
   Session::Host host() {
     Session::Host host;
     host.scene_changed = [this] { ++changes; };
+    host.copy_typed = [this](const std::string& text) { copied = text; };
     host.fill_screen = [this] { ++screens; };
     host.keep_habits = [this](const std::string& habits) { kept.push_back(habits); };
     return host;
@@ -85,6 +87,7 @@ class SessionTest : public testing::Test {
  protected:
   int changes = 0, screens = 0;   // told to the host
   std::vector<std::string> kept;  // by the host
+  std::string copied;             // from a field
   Session session;
 };
 
@@ -248,6 +251,59 @@ TEST_F(SessionTest, ASlashSearchesAndThenTheKeysBelongToTheField) {
   EXPECT_FALSE(ImGui::GetIO().WantTextInput);
   tap(Key::z, control);
   EXPECT_NE(longitude(), dragged);
+}
+
+// What the field with the keyboard holds, by way of the clipboard.
+TEST_F(SessionTest, FieldsShareTheClipboardWithEverybody) {
+  session.load_link("quality.resolution_scale=0.25");
+  session.resize(640, 400, 1.0);
+  settle();
+  session.text('/');
+  settle();
+  const auto copy_all = [this] {
+    tap(Key::a, control);
+    settle();
+    tap(Key::c, control);
+    settle();
+    return std::exchange(copied, {});
+  };
+  session.text('s');
+  settle();
+  EXPECT_EQ(copy_all(), "s");
+  session.key(Key::unknown, true, control);  // Ctrl itself stays down
+  session.key(Key::v, true, control);
+  session.pasted("gr\u00fcn\n{}");
+  settle();
+  session.key(Key::v, false, control);
+  session.key(Key::unknown, false, {});
+  settle();
+  EXPECT_EQ(copy_all(), "gr\u00fcn{}");
+  session.pasted("once");  // by a menu: no key at all
+  settle();
+  EXPECT_EQ(copy_all(), "once");
+  session.text('x');  // Ctrl does not hang
+  settle();
+  EXPECT_EQ(copy_all(), "x");
+}
+
+// Where frames take long, a word is typed between two of them.
+TEST_F(SessionTest, WhatIsTypedWithinAFrameArrivesWhole) {
+  session.load_link("quality.resolution_scale=0.25");
+  session.resize(640, 400, 1.0);
+  settle();
+  session.text('/');
+  settle();
+  for (int i = 0; i < 12; ++i) {
+    session.key(Key::z, true, {});
+    session.text('z');
+    session.key(Key::z, false, {});
+  }
+  settle();
+  tap(Key::a, control);
+  settle();
+  tap(Key::c, control);
+  settle();
+  EXPECT_EQ(copied, "zzzzzzzzzzzz");
 }
 
 TEST_F(SessionTest, WhileCIsHeldThePlanetIsAsItWasOpened) {

@@ -238,6 +238,7 @@ export class Planet {
       onCopyText: text => {
         navigator.clipboard?.writeText(text.startsWith('{') ? text : this.api.link()).catch(() => {});
       },
+      onCopyTyped: text => { navigator.clipboard?.writeText(text).catch(() => {}); },
       onSaveJson: text => save(new Blob([text], { type: 'application/json' }), 'planet.json'),
       onOpenJson: () => {
         const input = document.createElement('input');
