@@ -18,7 +18,7 @@ namespace terrella::test {
 
 // Parts of the window, in its pixels; it lies in the screen's top left corner.
 inline constexpr Box kPlanet{560, 260, 160, 160}, kSky{1000, 20, 260, 160}, kTitle{14, 20, 70, 16},
-    kGroups{14, 160, 330, 360}, kBubble{695, 511, 240, 100};
+    kGroups{14, 160, 330, 360}, kBubble{695, 524, 240, 100};
 
 class WindowTest : public testing::Test {
  protected:
