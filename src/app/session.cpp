@@ -10,6 +10,7 @@
 #include "app/imgui_input.hpp"
 #include "app/stats.hpp"
 #include "app/still.hpp"
+#include "base/text.hpp"
 #include "gl/caps.hpp"
 #include "scene/json.hpp"
 #include "scene/link.hpp"
@@ -18,6 +19,7 @@
 namespace terrella {
 namespace {
 
+constexpr double double_click_time = 0.3;  // s
 constexpr std::size_t frames_timed = 60;
 constexpr double wheel_zoom = 1.18;  // a notch
 constexpr std::ptrdiff_t most_notices = 24;
@@ -90,6 +92,7 @@ void Session::resize(int width, int height, double scale, bool fingers) {
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   scale_ = scale;
+  ImGui::GetIO().DisplaySize = {static_cast<float>(width_ * scale_), static_cast<float>(height_ * scale_)};
   planet_stale_ = true;
   panel_frames_ = 3;
 }
@@ -303,6 +306,8 @@ void Session::pasted(const std::string& text) {
     add_notices(load_json(text));
   } else if (text.find('=') != std::string::npos) {
     add_notices(load_link(text));
+  } else {
+    add_notices({text_of("What was pasted is no scene, neither as JSON nor as a link: \"", shortened(text), "\".")});
   }
 }
 
@@ -311,6 +316,7 @@ void Session::pasted(const std::string& text) {
 Session::Turn Session::frame(double now, GLuint framebuffer) {
   Turn turn;
   const double elapsed = at_rest_ ? 0.0 : std::clamp(now - now_, 0.0, 1.0);
+  last_elapsed_ = elapsed;
   now_ = now;
   if (made_at_ < 0.0) made_at_ = now;
   if (!renderer_) return turn;
@@ -392,11 +398,12 @@ void Session::note_frame_time(double now) {
 // Runs the panel's logic on the events since the last time; what it shows is drawn later.
 void Session::run_panel() {
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = {static_cast<float>(width_ * scale_), static_cast<float>(height_ * scale_)};
   const double now = seconds_by_the_clock();
   io.DeltaTime = static_cast<float>(std::clamp(now - panel_ran_, 0.001, 1.0));  // tells two clicks from a double click
   panel_ran_ = now;
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
+  // Two presses are told apart frame by frame: where frames are slow, a double click takes longer.
+  io.MouseDoubleClickTime = static_cast<float>(double_click_time + 2.0 * last_elapsed_);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   if (imgui_input::waiting()) panel_frames_ = std::max(panel_frames_, 4);  // one for it, three to settle
@@ -477,6 +484,7 @@ void Session::scene_was_changed() {
 // What is opened before the first picture is the beginning: nothing leads back from it.
 void Session::open(const SceneDocument& loaded) {
   document_ = opened_ = loaded;
+  notices_.clear();  // they were about another scene
   camera_.stop();
   if (frames_ == 0) history_.start({document_, opened_});
   history_.begin();

@@ -173,8 +173,9 @@ class Session {
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
   int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
   double now_ = 0.0;
-  double panel_ran_ = 0.0;  // s, by a clock of its own: between frames there may be long rests
-  bool at_rest_ = true;     // nothing moved after the last frame, so that the time until the next one does not count
+  double last_elapsed_ = 0.0;  // s that the last frame came after the one before it; 0 after a rest
+  double panel_ran_ = 0.0;     // s, by a clock of its own: between frames there may be long rests
+  bool at_rest_ = true;        // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
   std::optional<double> last_drawn_;
   std::deque<double> frame_ms_;

@@ -48,9 +48,11 @@ void preset_row(Sheet& sheet) {
 // What stands at the left of the buttons, where there is room for it.
 void title(const Sheet& sheet, float room) {
   const bool comparing = sheet.facts.comparing;
-  const char* const text = comparing ? "As it was opened" : "Terrella";
+  const char* const text = comparing ? "As opened" : "Terrella";
   ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(comparing ? ImGuiCol_CheckMark : ImGuiCol_Text));
   ImGui::TextUnformatted(ImGui::CalcTextSize(text).x < room ? text : "");
+  ImGui::PopStyleColor();
   sheet.place(comparing ? "title/compared" : "title");
 }
 

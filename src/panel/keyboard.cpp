@@ -26,6 +26,12 @@ void take_keyboard() {
 
 void forget_focus() { ImGui::GetCurrentContext()->NavId = 0; }
 
+void focus_next_widget() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  context.NavFocusScopeId = context.CurrentFocusScopeId;
+  ImGui::SetKeyboardFocusHere();
+}
+
 bool keyboard_is_here() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   const bool finding = context.NavInitRequest || context.NavId != 0;

@@ -11,6 +11,10 @@ void take_keyboard();
 // The widget that was used last is no longer there.
 void forget_focus();
 
+// Gives the keyboard to the widget that is drawn next, also after a press beside all windows, which Dear ImGui's own
+// function does not outlive.
+void focus_next_widget();
+
 // Whether a widget of the panel has the keyboard and is marked.
 bool keyboard_is_here();
 

@@ -85,6 +85,12 @@ void sections_below_search(Sheet& sheet) {
   statistics_section(sheet);
 }
 
+// In a low window what is searched for would have no room below all the rest.
+bool found_need_the_room(const PanelMemory& memory) {
+  constexpr float low = 500.0F;  // points
+  return memory.search.text[0] != '\0' && ImGui::GetIO().DisplaySize.y < points(low);
+}
+
 }  // namespace
 
 Panel::Panel() {
@@ -104,10 +110,12 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   if (visible && !place.folded) {
     title_row(sheet);
     begin_rows(place);
-    head_section(sheet);
-    notices_section(sheet);
-    clock_section(sheet);
-    ImGui::Spacing();
+    if (!found_need_the_room(memory_)) {
+      head_section(sheet);
+      notices_section(sheet);
+      clock_section(sheet);
+      ImGui::Spacing();
+    }
     search_field(sheet);
     sections_below_search(sheet);
     end_rows(place);
@@ -126,9 +134,10 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
     forget_focus();
     if (memory_.keyboard.here) take_keyboard();
   }
-  covered_ = covered_by(memory_.place());
   return sheet.wishes;
 }
+
+Covered Panel::covered() const { return covered_by(memory_.place()); }
 
 std::string Panel::habits() const { return habits_of(memory_); }
 

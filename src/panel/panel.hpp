@@ -77,8 +77,8 @@ class Panel {
 
   // Where it lies until a hand folds or unfolds it (see first_panel_place).
   void put_at(PanelPlace place) { memory_.first_place = place; }
-  // What it hides of the window, as it was drawn last, where that is so much that the planet makes room.
-  [[nodiscard]] Covered covered() const { return covered_; }
+  // What it hides of Dear ImGui's display, where that is so much that the planet makes room.
+  [[nodiscard]] Covered covered() const;
 
   // Whether it wants to be drawn again although no hand does anything: it scrolls on, or has just been folded or
   // unfolded and takes a few frames to find its size.
@@ -107,7 +107,6 @@ class Panel {
 
  private:
   PanelMemory memory_;
-  Covered covered_;
   int frames_to_settle_ = 0;
 };
 

@@ -17,9 +17,10 @@
 namespace terrella {
 namespace {
 
-constexpr float label_width = 124.0F;          // points
-constexpr float narrowest_with_lock = 220.0F;  // points
-constexpr double widest_slider = 5000;         // of whole numbers; beyond, a pixel would skip too many
+constexpr float label_width = 124.0F;      // points
+constexpr float narrowest_value = 110.0F;  // points; narrower, it takes the room of its lock
+constexpr float picker_width = 220.0F;     // points: for fingers, too, it leaves the planet in sight
+constexpr double widest_slider = 5000;     // of whole numbers; beyond, a pixel would skip too many
 
 // "ridge_sharpness" as "Ridge sharpness"
 std::string label_of(const Parameter& parameter) {
@@ -91,16 +92,39 @@ std::uint8_t to_byte(float channel) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(channel, 0.0F, 1.0F)));
 }
 
-void color_field(Sheet& sheet, const Parameter& parameter) {
+// Dear ImGui's own is twelve rows wide, which are too many for a phone.
+bool color_picker(float* rgb) {
+  bool changed = false;
+  const ImVec4 color{rgb[0], rgb[1], rgb[2], 1.0F};
+  const float side = ImGui::GetFrameHeight();
+  const ImGuiColorEditFlags flags = ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop;
+  if (ImGui::ColorButton("##swatch", color, flags, {side, side})) ImGui::OpenPopup("picker");
+  if (!ImGui::BeginPopup("picker")) return false;
+  const float room = ImGui::GetIO().DisplaySize.x - 4.0F * ImGui::GetStyle().WindowPadding.x;
+  ImGui::SetNextItemWidth(std::min(points(picker_width), room));
+  changed = ImGui::ColorPicker3(
+      "##picker", rgb,
+      flags | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_DisplayHex);
+  ImGui::EndPopup();
+  return changed;
+}
+
+void color_field(Sheet& sheet, const Parameter& parameter, float width) {
   const Color color = std::get<Color>(parameter.get(sheet.document.scene));
   float rgb[] = {static_cast<float>(color.r) / 255.0F, static_cast<float>(color.g) / 255.0F,
                  static_cast<float>(color.b) / 255.0F};
   const ImGuiColorEditFlags flags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel |
                                     ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoTooltip |
-                                    ImGuiColorEditFlags_NoDragDrop;
-  if (ImGui::ColorEdit3("##value", rgb, flags)) {
-    sheet.set(parameter, Color{to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2])});
-  }
+                                    ImGuiColorEditFlags_NoDragDrop | ImGuiColorEditFlags_NoPicker |
+                                    ImGuiColorEditFlags_NoSmallPreview;
+  const float space = ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::BeginGroup();
+  ImGui::SetNextItemWidth(width - ImGui::GetFrameHeight() - space);
+  bool changed = ImGui::ColorEdit3("##value", rgb, flags);
+  ImGui::SameLine(0.0F, space);
+  changed = color_picker(rgb) || changed;
+  ImGui::EndGroup();
+  if (changed) sheet.set(parameter, Color{to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2])});
   sheet.place(parameter.path);
 }
 
@@ -123,7 +147,7 @@ void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
     case Type::Float:
     case Type::Int: number_widget(sheet, parameter, width); break;
     case Type::Bool: checkbox(sheet, parameter); break;
-    case Type::Color: color_field(sheet, parameter); break;
+    case Type::Color: color_field(sheet, parameter, width); break;
     case Type::Choice: choice_list(sheet, parameter); break;
   }
   // Nobody drags while typing.
@@ -166,7 +190,8 @@ void parameter_row(Sheet& sheet, const Parameter& parameter) {
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 to{from.x + width, from.y + ImGui::GetFrameHeight()};
   const bool pointed_at = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
-  const float room_of_lock = width < points(narrowest_with_lock) ? 0.0F : button;
+  const float left = width - points(label_width) - 2.0F * button;
+  const float room_of_lock = left < points(narrowest_value) ? 0.0F : button;
 
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(differs ? ImGuiCol_CheckMark : ImGuiCol_Text));

@@ -36,7 +36,6 @@ void field(Sheet& sheet, const char* name, int& pixels) {
   ImGui::InputInt(text_of("##", name).c_str(), &pixels, 0);
   pixels = std::clamp(pixels, 1, sheet.facts.largest_picture);
   sheet.place("picture/", name);
-  tooltip(text_of("Pixels, 1 to ", sheet.facts.largest_picture, '.'));
 }
 
 void own_size(Sheet& sheet) {
@@ -53,6 +52,7 @@ void own_size(Sheet& sheet) {
     ImGui::CloseCurrentPopup();
   }
   sheet.place("picture/own");
+  quiet_text(text_of("Each side 1 to ", sheet.facts.largest_picture, " pixels."));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr float widest_share = 0.9F;                        // of the window
 constexpr float narrow = 600.0F, low = 500.0F;              // points
 constexpr float sheet_share = 0.45F;                        // of the window's height
 constexpr float least_sheet = 180.0F;                       // points; lower, one could not scroll in it
-constexpr float spared_share = 1.0F / 3.0F;                 // of the window's width, for which the planet makes no room
+constexpr float spared_share = 0.25F;                       // of the window's width, for which the planet makes no room
 
 constexpr ImGuiWindowFlags always = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |

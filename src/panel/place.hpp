@@ -15,7 +15,7 @@ void begin_rows(PanelPlace place);
 void end_rows(PanelPlace place);
 
 // What an unfolded panel hides: a sheet the window's lower edge, one at the left as much as it is wide if that is more
-// than a third of the window, else nothing worth to make room for.
+// than a quarter of the window, else nothing worth to make room for.
 Covered covered_by(PanelPlace place);
 
 }  // namespace terrella

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "panel/keyboard.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -11,7 +12,7 @@ void search_field(Sheet& sheet) {
   const bool filled = search.text[0] != '\0';
   const float button = ImGui::GetFrameHeight(), space = ImGui::GetStyle().ItemSpacing.x;
   const bool can_focus = !ImGui::IsWindowAppearing();  // a request now would be lost
-  if (search.wanted && can_focus) ImGui::SetKeyboardFocusHere();
+  if (search.wanted && can_focus) focus_next_widget();
   if (can_focus) search.wanted = false;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - (filled ? button + space : 0.0F));
   ImGui::InputTextWithHint("##search", "Search  /", search.text.data(), search.text.size(),

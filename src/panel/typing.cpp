@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "panel/keyboard.hpp"
+
 namespace terrella {
 namespace {
 
@@ -20,7 +22,7 @@ void start_typing(Typing& typing, std::string_view path, const std::string& text
 }
 
 std::optional<std::string> typing_field(Typing& typing) {
-  if (typing.frames_waited == 0) ImGui::SetKeyboardFocusHere();
+  if (typing.frames_waited == 0) focus_next_widget();
   ImGui::InputText("##typed", typing.text.data(), typing.text.size(), ImGuiInputTextFlags_AutoSelectAll);
   const bool active = ImGui::IsItemActive();
   if (active) typing.begun = true;

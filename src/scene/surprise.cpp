@@ -50,12 +50,20 @@ Scene near_a_preset(std::string_view group, Dice& dice) {
   return morph(from, to, 0.5 * dice.share());
 }
 
+// To four digits, which nobody tells from more: links are short.
+double rounded(double value) {
+  if (value == 0.0) return value;
+  const double step = std::pow(10.0, std::floor(std::log10(std::fabs(value))) - 3.0);
+  return std::round(value / step) * step;
+}
+
 void take(Scene& scene, const Parameter& parameter, const Scene& from) {
   Value value = parameter.get(from);
   if (parameter.grows_with_planet()) {
     const double grown = std::get<double>(value) * (scene.planet.radius / from.planet.radius);
     value = std::clamp(grown, parameter.min, parameter.max);
   }
+  if (auto* number = std::get_if<double>(&value)) *number = std::clamp(rounded(*number), parameter.min, parameter.max);
   assign(scene, parameter, value);
 }
 

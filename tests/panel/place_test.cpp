@@ -110,7 +110,7 @@ TEST_F(SheetTest, LiesAtTheLeftWhenTurnedAndThePlanetMakesRoom) {
   EXPECT_EQ(panel.covered().below, 0.0F);
   EXPECT_GT(panel.covered().left, fold.right);
   EXPECT_LT(panel.covered().left, fold.right + 30.0F);
-  ImGui::GetIO().DisplaySize = {1280.0F, 720.0F};
+  ImGui::GetIO().DisplaySize = {1920.0F, 1080.0F};
   frames(3);
   EXPECT_EQ(panel.covered(), Covered());  // there is room beside it
 }

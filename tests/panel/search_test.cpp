@@ -81,6 +81,19 @@ TEST_F(SearchTest, EscapeInANumberLeavesTheSearchAlone) {
   EXPECT_EQ(document.scene, Scene{});
 }
 
+TEST_F(SearchTest, ComesBackAfterAHandOnThePlanetHasLeftIt) {
+  search("steepness");
+  ImGui::GetIO().AddMousePosEvent(900.0F, 3000.0F);
+  frame();
+  press();
+  release();
+  frames(3);
+  tap(ImGuiKey_Escape);
+  search("craters");
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(count_of("terrain.craters"), 1);
+}
+
 TEST_F(SearchTest, ItsCrossClearsIt) {
   EXPECT_EQ(count_of("search/clear"), 0);
   search("steepness");
