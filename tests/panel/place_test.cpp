@@ -1,4 +1,6 @@
 // Where the panel lies: as a sheet under the planet on a phone, and what fingers do to it there.
+#include <imgui_internal.h>
+
 #include "hand.hpp"
 
 namespace terrella {
@@ -178,6 +180,18 @@ TEST_F(SheetTest, AFingerScrollsOverSlidersAndDrawsThemOnlyAlong) {
   draw("terrain.height", {60.0F, 10.0F});
   EXPECT_GT(terrain_height(), before);
   EXPECT_FALSE(frame().dragging);
+}
+
+TEST_F(SheetTest, TheColourPickerLeavesThePlanetInSight) {
+  search("air.color");
+  click("air.color", 0.95F);
+  const ImVector<ImGuiPopupData>& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  ASSERT_EQ(popups.Size, 1);
+  const ImRect picker = popups[0].Window->Rect();
+  EXPECT_GE(picker.Min.x, 0.0F);
+  EXPECT_LE(picker.Max.x, 390.0F);
+  EXPECT_GE(picker.Min.y, 0.5F * 844.0F);
+  EXPECT_LE(picker.Max.y, 844.0F);
 }
 
 TEST_F(SheetTest, ATapTakesTheSliderToTheFinger) {

@@ -275,6 +275,28 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('takes what is pasted into the field that is typed in, else for a scene', async () => {
+    const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 600 } });
+    const paste = text => page.evaluate(text => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text', text);
+      document.dispatchEvent(new ClipboardEvent('paste', { clipboardData }));
+    }, text);
+    await page.keyboard.press('/');
+    await settled(page);
+    const before = await look(page), scene = await page.evaluate(() => JSON.stringify(terrella.scene()));
+    await paste('waves.count');
+    await settled(page);
+    assert.notDeepEqual(await look(page), before);
+    assert.equal(await page.evaluate(() => JSON.stringify(terrella.scene())), scene);
+    await page.keyboard.press('Enter');
+    await settled(page);
+    await paste('?waves.count=7');
+    await until(page, () => terrella.get('waves.count') === 7);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('fills the screen by its button, and leaves it again', async () => {
     const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 600 } });
     const button = [276, 28];
