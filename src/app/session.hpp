@@ -111,6 +111,8 @@ class Session {
   enum class OnPanel { nothing_new, press, wheel };  // a hand, since the panel last changed the scene
   struct PanelPainter;
 
+  // Of hands. What frame() is told stands still while nothing is drawn.
+  static double seconds_by_the_clock();
   bool is_for_panel(Key key) const;
   bool lead_into_panel();
   void share_clipboard();
