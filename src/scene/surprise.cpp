@@ -53,17 +53,18 @@ Scene near_a_preset(std::string_view group, Dice& dice) {
 // To four digits, which nobody tells from more: links are short.
 double rounded(double value) {
   if (value == 0.0) return value;
-  const double step = std::pow(10.0, std::floor(std::log10(std::fabs(value))) - 3.0);
-  return std::round(value / step) * step;
+  const double decimals = 3.0 - std::floor(std::log10(std::fabs(value)));
+  const double factor = std::pow(10.0, std::fabs(decimals));  // whole, so that 2.03 comes out as 2.03
+  return decimals < 0.0 ? std::round(value / factor) * factor : std::round(value * factor) / factor;
 }
 
 void take(Scene& scene, const Parameter& parameter, const Scene& from) {
   Value value = parameter.get(from);
+  if (auto* number = std::get_if<double>(&value)) *number = std::clamp(rounded(*number), parameter.min, parameter.max);
   if (parameter.grows_with_planet()) {
     const double grown = std::get<double>(value) * (scene.planet.radius / from.planet.radius);
     value = std::clamp(grown, parameter.min, parameter.max);
   }
-  if (auto* number = std::get_if<double>(&value)) *number = std::clamp(rounded(*number), parameter.min, parameter.max);
   assign(scene, parameter, value);
 }
 
