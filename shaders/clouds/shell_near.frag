@@ -14,13 +14,16 @@ void main() {
   float rise = noise_rise(up, toward, reach, noise);
 
   float footprint = pixel_footprint(up, surface_from_eye, 0.12);
-  float enters = 1.0 - smoothstep(0.3, 0.4, footprint / layers.z);
+  float enters = 1.0 - smoothstep(0.18, 0.25, footprint / layers.z);
   vec3 place = drifted(up);
   vec3 sunward = drifted(toward);
   uint seed = cloud_seed(planet_seed);
   float frequency = clouds_frequency * exp2(layers.x);
   float amplitude = enters * pow(clouds_persistence, layers.x) / amplitude_sum(clouds_persistence, clouds_octaves);
-  for (int i = int(layers.x); i < int(layers.y); ++i) {
+  // Where even all of them could make no cloud, none is computed.
+  float most = noise + 1.02 * amplitude * amplitude_sum(clouds_persistence, int(layers.y) - int(layers.x));
+  int end = cloud_thickness(most, clouds_coverage, clouds_softness) > 0.0 ? int(layers.y) : 0;
+  for (int i = int(layers.x); i < end; ++i) {
     float shown = layer_weight(frequency, footprint);
     if (shown <= 0.0) break;  // and so are all finer layers
     Noise n = turned_noise(ivec3(0), frequency * place + layer_offset(i, seed), turn, layer_seed(i, seed));

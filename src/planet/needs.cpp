@@ -170,7 +170,7 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   // Beyond this frequency single precision places no cells.
   constexpr double highest_frequency = 1e5;
   const double texel = texel_angle(needs.cloud_texels);
-  const bool near_enough = pixel < 0.4 * texel;
+  const bool near_enough = pixel < 0.25 * texel;
   const int shown = visible_octaves(clouds.frequency, 2.0, clouds.octaves, std::max(pixel, 0.5 / highest_frequency));
   int first = 0;
   for (double f = clouds.frequency; first < needs.cloud_octaves && f * texel < 0.3; f *= 2.0) ++first;
