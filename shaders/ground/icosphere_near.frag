@@ -18,8 +18,11 @@ struct FineLayers {
   float grain;    // to the colour, about -1..1: what is flat shows them, too
 };
 
-FineLayers fine_layers(vec3 offset, float footprint) {
+// level_footprint: of a pixel on level ground; on a steep slope that faces the eye it is less.
+FineLayers fine_layers(vec3 offset, float level_footprint) {
   vec3 from_anchor = direction_from_anchor(offset);
+  vec3 right = dFdx(from_anchor), above = dFdy(from_anchor);
+  float footprint = min(level_footprint, sqrt(max(dot(right, right), dot(above, above))));
   uint seed = uint(planet_seed);
   float texel = ground_map_scale.x;
   float enters = 1.0 - smoothstep(0.4, 0.6, footprint / texel);
