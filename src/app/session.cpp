@@ -214,9 +214,11 @@ void Session::run_panel() {
   ImGui::NewFrame();
   if (imgui_input::waiting()) panel_frames_ = std::max(panel_frames_, 4);  // one for it, three to settle
   const Covered covered = panel_.covered();
+  const PanelPlace place = panel_.place();
   const bool had_keyboard = panel_.has_keyboard();
   const PanelWishes wishes = panel_.draw(document_, facts());
   if (panel_.covered() != covered) planet_stale_ = true;
+  if (panel_.place() != place) panel_frames_ = std::max(panel_frames_, 4);  // to find its size
   if (panel_.moves()) panel_frames_ = std::max(panel_frames_, 2);
   if (had_keyboard && !panel_.has_keyboard()) tab_leads_out_ = ImGui::IsKeyDown(ImGuiKey_Escape);
   ImGui::Render();

@@ -83,9 +83,8 @@ void Session::pinch(double factor, double twist, double dx, double dy, double x,
 
 // While a widget of the panel has the keyboard, these lead from one to the next, and press them.
 bool Session::is_for_panel(Key key) const {
-  if (!panel_shown_) return false;
-  if (ImGui::GetIO().WantTextInput) return true;
-  return panel_.has_keyboard() && imgui_input::navigates(key);
+  if (wants_text()) return true;
+  return panel_shown_ && panel_.has_keyboard() && imgui_input::navigates(key);
 }
 
 bool Session::lead_into_panel() {

@@ -11,7 +11,10 @@
 namespace terrella {
 namespace {
 
-constexpr float rest = 8.0F;  // points
+constexpr float rest = 8.0F;              // points
+constexpr float memory_of_speed = 0.05F;  // s
+constexpr float runs_on = 0.35F;          // s in which it slows down to a third
+constexpr float stands = 20.0F;           // points a second
 
 unsigned window_under_finger() {
   const ImGuiWindow* const window = ImGui::GetCurrentContext()->HoveredWindow;
@@ -25,10 +28,6 @@ void decide(FingerScroll& finger) {
   finger.scrolls = std::fabs(moved.y) > std::fabs(moved.x);
   if (finger.scrolls) ImGui::ClearActiveID();
 }
-
-constexpr float memory_of_speed = 0.05F;  // s
-constexpr float runs_on = 0.35F;          // s in which it slows down to a third
-constexpr float stands = 20.0F;           // points a second
 
 void follow(FingerScroll& finger, ImGuiWindow* window) {
   const ImGuiIO& io = ImGui::GetIO();

@@ -87,8 +87,7 @@ void sections_below_search(Sheet& sheet) {
 
 // In a low window what is searched for would have no room below all the rest.
 bool found_need_the_room(const PanelMemory& memory) {
-  constexpr float low = 500.0F;  // points
-  return memory.search.text[0] != '\0' && ImGui::GetIO().DisplaySize.y < points(low);
+  return memory.search.text[0] != '\0' && ImGui::GetIO().DisplaySize.y < points(kLowWindow);
 }
 
 }  // namespace
@@ -128,9 +127,7 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   scroll_by_finger(memory_.finger);
   keep_caret_in_sight(memory_.caret);
   give_back_keyboard(memory_.keyboard, memory_.keys_shown);
-  if (frames_to_settle_ > 0) --frames_to_settle_;
   if (memory_.place().folded != place.folded) {
-    frames_to_settle_ = 3;
     forget_focus();
     if (memory_.keyboard.here) take_keyboard();
   }

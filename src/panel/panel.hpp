@@ -80,9 +80,11 @@ class Panel {
   // What it hides of Dear ImGui's display, where that is so much that the planet makes room.
   [[nodiscard]] Covered covered() const;
 
-  // Whether it wants to be drawn again although no hand does anything: it scrolls on, or has just been folded or
-  // unfolded and takes a few frames to find its size.
-  [[nodiscard]] bool moves() const { return memory_.finger.speed != 0.0F || frames_to_settle_ > 0; }
+  // Where it lies, as it was folded or unfolded last.
+  [[nodiscard]] PanelPlace place() const { return memory_.place(); }
+
+  // Whether it scrolls on although no finger does it: it wants to be drawn again.
+  [[nodiscard]] bool moves() const { return memory_.finger.speed != 0.0F; }
 
   // Whether the last frame had a list of presets open, which shows PanelFacts::preset_pictures.
   [[nodiscard]] bool shows_presets() const { return memory_.presets_shown; }
@@ -107,7 +109,6 @@ class Panel {
 
  private:
   PanelMemory memory_;
-  int frames_to_settle_ = 0;
 };
 
 // Where the panel belongs: under the planet in a narrow window, and on a phone or tablet that is held upright. There,

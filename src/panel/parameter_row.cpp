@@ -94,7 +94,6 @@ std::uint8_t to_byte(float channel) {
 
 // Dear ImGui's own is twelve rows wide, which are too many for a phone.
 bool color_picker(float* rgb) {
-  bool changed = false;
   const ImVec4 color{rgb[0], rgb[1], rgb[2], 1.0F};
   const float side = ImGui::GetFrameHeight();
   const ImGuiColorEditFlags flags = ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop;
@@ -102,7 +101,7 @@ bool color_picker(float* rgb) {
   if (!ImGui::BeginPopup("picker")) return false;
   const float room = ImGui::GetIO().DisplaySize.x - 4.0F * ImGui::GetStyle().WindowPadding.x;
   ImGui::SetNextItemWidth(std::min(points(picker_width), room));
-  changed = ImGui::ColorPicker3(
+  const bool changed = ImGui::ColorPicker3(
       "##picker", rgb,
       flags | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_DisplayHex);
   ImGui::EndPopup();

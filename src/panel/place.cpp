@@ -12,7 +12,7 @@ namespace {
 
 constexpr float panel_width = 340.0F, panel_margin = 8.0F;  // points
 constexpr float widest_share = 0.9F;                        // of the window
-constexpr float narrow = 600.0F, low = 500.0F;              // points
+constexpr float narrow = 600.0F;                            // points
 constexpr float sheet_share = 0.45F;                        // of the window's height
 constexpr float least_sheet = 180.0F;                       // points; lower, one could not scroll in it
 constexpr float spared_share = 0.25F;                       // of the window's width, for which the planet makes no room
@@ -56,7 +56,7 @@ bool rows_scroll_alone(PanelPlace place) { return place.below && !place.folded; 
 
 PanelPlace first_panel_place(int width, int height, bool fingers) {
   const bool below = static_cast<float>(width) < narrow || (fingers && height > width);
-  return {below, below || (fingers && static_cast<float>(height) < low)};
+  return {below, below || (fingers && static_cast<float>(height) < kLowWindow)};
 }
 
 bool begin_panel_window(PanelPlace place) { return place.below ? begin_sheet(place) : begin_at_the_left(place.folded); }

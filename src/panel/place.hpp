@@ -5,6 +5,9 @@
 
 namespace terrella {
 
+// Windows lower than that have little room: points.
+inline constexpr float kLowWindow = 500.0F;
+
 // Begins the panel's window; end it with end_panel_window(). Returns whether anything of it can be seen.
 bool begin_panel_window(PanelPlace place);
 void end_panel_window();

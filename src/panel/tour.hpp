@@ -15,8 +15,7 @@ void note_tour_target(Tour& tour, std::string_view name);
 
 // Beside the panel, which ends at panel_right, in pixels; over a sheet, or below its target where there is no room. A
 // folded panel has only the first, which is about the planet. Nothing unless memory.tour.wanted, nor beside the list of
-// keys; its buttons lead on
-// and end that, and so does Escape.
+// keys; its buttons lead on and end that, and so does Escape.
 void tour_bubble(Sheet& sheet, float panel_right);
 
 }  // namespace terrella

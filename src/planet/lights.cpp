@@ -38,6 +38,8 @@ Lights find_lights(const Scene& scene, int level) {
   const auto seed = static_cast<unsigned>(scene.lights.seed) + seed_of_lights;
   const auto count = static_cast<int>(most_places * scene.lights.density);
   const double water = water_level(scene) / scene.planet.radius;
+  const double edge = icosphere_edge(level);
+  const int noise_each = noise_per_height(scene, edge);
   const double cold = std::sin(glm::radians(std::min(scene.terrain.snow_latitude, scene.water.ice_latitude)));
   const f32::Terrain terrain = terrain_of(scene);
   for (int i = 0; i < count; ++i) {
@@ -50,12 +52,12 @@ Lights find_lights(const Scene& scene, int level) {
     const float crowd =
         1.4F * noise(direction, regions_per_radius, seed) + noise(direction, towns_per_radius, seed + 1);
     if (crowd < 0.3F) continue;
-    found.noise_evaluations += noise_per_height(scene, icosphere_edge(level));
-    const double ground = ground_radius(terrain, direction, icosphere_edge(level));
+    found.noise_evaluations += noise_each;
+    const double ground = ground_radius(terrain, direction, edge);
     const double welcome = habitable(scene, ground - 1.0 - water);
     const auto brightness = static_cast<float>(welcome * std::min(1.0, 1.6 * crowd));
     if (brightness < 0.08F) continue;
-    found.noise_evaluations += 3 * noise_per_height(scene, icosphere_edge(level));
+    found.noise_evaluations += 3 * noise_each;
     const double drawn = drawn_ground_radius(terrain, direction, level);
     found.lights.push_back({glm::vec3(direction * (std::max(ground, drawn) + lift)), brightness});
   }

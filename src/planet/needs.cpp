@@ -69,8 +69,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   const double texel = texel_angle(needs.ground_texels);
   const double pixel = pose.clearance * pose.pixel_angle;
   int shown = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, pixel);
-  int first = 0;
-  for (double f = terrain.frequency; first < terrain.octaves && f * texel < 0.25; f *= terrain.lacunarity) ++first;
+  const int first = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, texel);
   const bool near_enough = pixel < 0.6 * texel && terrain.height > 0.0;
   needs.pixel_octaves_first = first;
   needs.pixel_octaves_end = near_enough ? std::max(first, shown) : first;
@@ -172,8 +171,7 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   const double texel = texel_angle(needs.cloud_texels);
   const bool near_enough = pixel < 0.25 * texel;
   const int shown = visible_octaves(clouds.frequency, 2.0, clouds.octaves, std::max(pixel, 0.5 / highest_frequency));
-  int first = 0;
-  for (double f = clouds.frequency; first < needs.cloud_octaves && f * texel < 0.3; f *= 2.0) ++first;
+  const int first = octaves_below(0.3, clouds.frequency, 2.0, needs.cloud_octaves, texel);
   needs.cloud_pixel_first = first;
   needs.cloud_pixel_end = near_enough ? std::max(first, shown) : first;
   decide.add("clouds.pixel_octaves", needs.cloud_pixel_end - needs.cloud_pixel_first,

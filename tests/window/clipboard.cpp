@@ -4,6 +4,7 @@
 #include <X11/Xlib.h>
 
 #include "window/patience.hpp"
+#include "window/selection.hpp"
 
 namespace terrella::test {
 
@@ -30,21 +31,7 @@ bool Clipboard::is_own() {
 void Clipboard::give() {
   XEvent event;
   while (XCheckTypedWindowEvent(connection_, window_, SelectionRequest, &event) == True) {
-    const XSelectionRequestEvent& request = event.xselectionrequest;
-    XEvent answer = {};
-    answer.xselection.type = SelectionNotify;
-    answer.xselection.requestor = request.requestor;
-    answer.xselection.selection = request.selection;
-    answer.xselection.target = request.target;
-    answer.xselection.time = request.time;
-    if (request.target == utf8_) {
-      answer.xselection.property = request.property;
-      XChangeProperty(connection_, request.requestor, request.property, utf8_, 8, PropModeReplace,
-                      reinterpret_cast<const unsigned char*>(text_.data()), static_cast<int>(text_.size()));
-      ++times_given_;
-    }
-    XSendEvent(connection_, request.requestor, False, NoEventMask, &answer);
-    XFlush(connection_);
+    if (give_selection(event.xselectionrequest, utf8_, text_)) ++times_given_;
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "window/patience.hpp"
 #include "window/screen.hpp"
+#include "window/selection.hpp"
 
 namespace terrella::test {
 namespace {
@@ -47,19 +48,7 @@ class Source {
     XEvent event = {};
     if (!until([&] { return XCheckTypedWindowEvent(connection_, window_, SelectionRequest, &event) == True; }))
       return false;
-    const XSelectionRequestEvent request = event.xselectionrequest;
-    XChangeProperty(connection_, request.requestor, request.property, request.target, 8, PropModeReplace,
-                    reinterpret_cast<const unsigned char*>(files.data()), static_cast<int>(files.size()));
-    XEvent answer = {};
-    answer.xselection.type = SelectionNotify;
-    answer.xselection.requestor = request.requestor;
-    answer.xselection.selection = request.selection;
-    answer.xselection.target = request.target;
-    answer.xselection.property = request.property;
-    answer.xselection.time = request.time;
-    XSendEvent(connection_, request.requestor, False, NoEventMask, &answer);
-    XFlush(connection_);
-    return request.target == static_cast<Atom>(list());
+    return give_selection(event.xselectionrequest, static_cast<Atom>(list()), files);
   }
 
  private:

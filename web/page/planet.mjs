@@ -235,10 +235,8 @@ export class Planet {
     return {
       canvas: this.#canvas,
       onSceneChanged: () => this.#sceneChanged(),
-      onCopyText: text => {
-        navigator.clipboard?.writeText(text.startsWith('{') ? text : this.api.link()).catch(() => {});
-      },
-      onCopyTyped: text => { navigator.clipboard?.writeText(text).catch(() => {}); },
+      onCopyText: text => copy(text.startsWith('{') ? text : this.api.link()),
+      onCopyTyped: copy,
       onSaveJson: text => save(new Blob([text], { type: 'application/json' }), 'planet.json'),
       onOpenJson: () => {
         const input = document.createElement('input');
@@ -308,6 +306,8 @@ export class Planet {
     };
   }
 }
+
+function copy(text) { navigator.clipboard?.writeText(text).catch(() => {}); }
 
 function save(blob, name) {
   const anchor = document.createElement('a');
