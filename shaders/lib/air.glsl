@@ -60,6 +60,14 @@ float air_opacity_before(float opacity, float cosine, float path, float top) {
   return 1.0 - exp(-depth * clamp(path / max(whole, 1.0e-6), 0.0, 1.0));
 }
 
+// Part of the light from infinity that passes beside the planet's air, 0..1: all outside of it, nothing in its lower
+// half, where its own light is so bright that no star is seen. From outside; eye, ray: as above.
+float sky_past_air(vec3 eye, vec3 ray, float top) {
+  AirPath path = air_path(eye, ray, top);
+  float nearest = top * sqrt(max(1.0 - path.cosine * path.cosine, 0.0));
+  return path.leave > path.enter ? smoothstep(0.5 * (1.0 + top), top, nearest) : 1.0;
+}
+
 // Light that the air at a place gives: day, dusk, night. up: unit, from the centre to the place; sun: unit.
 vec3 air_light(vec3 up, vec3 sun, Air air) {
   float height = dot(up, sun);

@@ -191,7 +191,7 @@ void Session::text(unsigned codepoint) {
 }
 
 void Session::pasted(const std::string& text) {
-  if (ImGui::GetIO().WantTextInput) {
+  if (wants_text()) {
     clipboard_ = text;
     imgui_input::paste(modifiers_);
     panel_frames_ = 3;

@@ -1,4 +1,5 @@
-// Stars as small squares, found once for a sky (planet/stars.hpp); only those in the picture are drawn.
+// Stars as small squares, found once for a sky (planet/stars.hpp); only those in the picture are drawn. Behind them the
+// glow of the milky band.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,8 @@
 #include "gl/late_program.hpp"
 #include "passes/chosen_squares.hpp"
 #include "passes/frame.hpp"
-#include "planet/milky_band.hpp"
+#include "passes/milky_glow.hpp"
+#include "planet/stars.hpp"
 
 namespace terrella {
 
@@ -33,6 +35,7 @@ class StarsNoise {
   std::optional<Key> key_;  // of the stars found, none before
   std::vector<Star> stars_;
   ChosenSquares squares_{2};
+  MilkyGlow glow_;
   std::int64_t noise_evaluations_ = 0;
 };
 

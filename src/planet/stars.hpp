@@ -14,7 +14,6 @@ struct Star {
   glm::vec3 direction;  // unit
   float brightness;     // of its middle; of the brightest star: 1
   glm::vec3 color;      // linear, of about the same luminance for all
-  float radius = 0.0F;  // of a glow, rad; 0: a point
 };
 
 struct StarSky {

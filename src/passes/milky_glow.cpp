@@ -1,0 +1,47 @@
+#include "passes/milky_glow.hpp"
+
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "passes/sky_view.hpp"
+
+namespace terrella {
+
+static_assert(band_square < SkyView::margin);
+
+void MilkyGlow::set(const Scene& scene) {
+  glow_ = find_band_glow(scene);
+  chosen_.clear();
+  mesh_.reset();
+  if (!glow_.vertices.empty()) mesh_.emplace(glow_.vertices);
+}
+
+std::vector<std::size_t> MilkyGlow::choose(const Frame& frame) const {
+  const SkyView view(frame);
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < glow_.indices.size(); i += 6) {
+    const glm::vec3 from = glm::normalize(glow_.vertices[glow_.indices[i]]);
+    const glm::vec3 to = glm::normalize(glow_.vertices[glow_.indices[i + 5]]);
+    if (view.within_picture(from) && !(view.behind_planet(from) && view.behind_planet(to))) shown.push_back(i);
+  }
+  return shown;
+}
+
+void MilkyGlow::draw(const Frame& frame) {
+  if (!mesh_) return;
+  std::vector<std::size_t> shown = choose(frame);
+  if (shown != chosen_) {
+    std::vector<std::uint32_t> indices;
+    for (const std::size_t i : shown) {
+      const auto first = glow_.indices.begin() + static_cast<std::ptrdiff_t>(i);
+      indices.insert(indices.end(), first, first + 6);
+    }
+    mesh_->set_indices(indices);
+    chosen_ = std::move(shown);
+  }
+  program_->use();
+  mesh_->draw();
+}
+
+}  // namespace terrella
