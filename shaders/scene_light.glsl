@@ -78,15 +78,19 @@ vec3 skylight(LightAt at, vec3 normal) {
 // Light of the sky itself where one looks along a ray from the place.
 vec3 sky_along(LightAt at, vec3 ray) {
   float level = 1.0 - max(dot(at.up, ray), 0.0);
-  return at.air * (0.55 * air_density * mix(0.22, 1.0, level * level * level));
+  float seen = air_density * mix(0.22, 1.0, level * level * level);
+  vec3 sun = sun_direction.xyz;
+  vec3 glow = wide_glow(dot(ray, sun)) * sun_light.rgb * glow_of_sky(dot(at.up, sun), air_dusk_color.rgb);
+  return seen * (0.55 * at.air + ripple.z * glow);
 }
 
 // The light of a surface as it arrives at the eye through the air before it. offset: from the eye to the surface.
 vec3 through_air(vec3 light, LightAt at, vec3 offset) {
   Air air = scene_air();
   float distance_to = length(offset);
-  AirPath path = air_path(eye_position(), offset / distance_to, air.top);
+  vec3 ray = offset / distance_to;
+  AirPath path = air_path(eye_position(), ray, air.top);
   float before = clamp(distance_to - path.enter, 0.0, path.leave - path.enter);
   float opacity = air_opacity_before(air_opacity(path.cosine, air), path.cosine, before, air.top);
-  return mix(light, 0.55 * at.air, ripple.z * opacity);
+  return mix(light, 0.55 * at.air + wide_glow(dot(ray, sun_direction.xyz)) * sky_glow.rgb, ripple.z * opacity);
 }

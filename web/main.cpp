@@ -128,6 +128,7 @@ EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) {
   return returned_list(session->load_link(link));
 }
 EMSCRIPTEN_KEEPALIVE void terrella_add_notice(const char* sentence) { session->add_notices({sentence}); }
+EMSCRIPTEN_KEEPALIVE void terrella_copy_failed() { session->copy_failed(); }
 EMSCRIPTEN_KEEPALIVE void terrella_set_paused(int paused) { session->set_paused(paused != 0); }
 EMSCRIPTEN_KEEPALIVE void terrella_show_panel(int shown) { session->show_panel(shown != 0); }
 EMSCRIPTEN_KEEPALIVE void terrella_take_habits(const char* text) { session->take_habits(text); }

@@ -60,12 +60,25 @@ float air_opacity_before(float opacity, float cosine, float path, float top) {
   return 1.0 - exp(-depth * clamp(path / max(whole, 1.0e-6), 0.0, 1.0));
 }
 
-// Part of the light from infinity that passes beside the planet's air, 0..1: all outside of it, nothing in its lower
-// half, where its own light is so bright that no star is seen. From outside; eye, ray: as above.
+// Part of the light from infinity that passes beside the planet's air, 0..1: all outside of it, and nothing deeper in it
+// than a quarter of its height, where its own light is so bright that no star is seen. From outside; eye, ray: as above.
 float sky_past_air(vec3 eye, vec3 ray, float top) {
   AirPath path = air_path(eye, ray, top);
   float nearest = top * sqrt(max(1.0 - path.cosine * path.cosine, 0.0));
-  return path.leave > path.enter ? smoothstep(0.5 * (1.0 + top), top, nearest) : 1.0;
+  return path.leave > path.enter ? smoothstep(0.25 + 0.75 * top, top, nearest) : 1.0;
+}
+
+// The glow that a low sun spreads over the sky of those within the air, as a part of the sunlight. climb: cosine between
+// the zenith and the sun; dusk: colour of the air where the sun stands low.
+vec3 glow_of_sky(float climb, vec3 dusk) {
+  float low = smoothstep(-0.25, 0.0, climb) * (1.0 - smoothstep(0.1, 0.5, climb));
+  return mix(vec3(1.0), dusk, 0.8 * low) * ((0.25 + low) * smoothstep(-0.3, -0.02, climb));
+}
+
+// How much of it is seen along a ray, but for its bright middle. toward: cosine between the ray and the sun.
+float wide_glow(float toward) {
+  float t = max(toward, 0.0);
+  return 0.5 * t * t * t * t * t * t;
 }
 
 // Light that the air at a place gives: day, dusk, night. up: unit, from the centre to the place; sun: unit.

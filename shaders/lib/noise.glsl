@@ -112,12 +112,16 @@ Noise simplex_noise(ivec3 cell, vec3 q, uint seed) {
 }
 
 // The gradient of one corner, turned by an angle given as its cosine and sine. What turns is clouds and ripples: that its
-// length is within a thousandth of 1 is enough.
+// length is within a thousandth of 1 is enough. It turns towards a tangent of lib/tangent.glsl, with x and y exchanged and
+// to the other side by chance: towards that alone, a quarter of a turn would leave all gradients along x.
 vec3 turned_direction(uint h, vec2 turn) {
   vec3 wanted = hash_octahedron(h);
   mediump float square = dot(wanted, wanted);
   vec3 direction = inversesqrt(square) * wanted;
-  return turn.x * direction + turn.y * perpendicular(direction);
+  bool exchanged = (h & 1u) != 0u;
+  vec3 tangent = perpendicular(exchanged ? vec3(direction.y, direction.x, direction.z) : direction);
+  float to_side = (h & 2u) != 0u ? turn.y : -turn.y;
+  return turn.x * direction + to_side * (exchanged ? vec3(tangent.y, tangent.x, tangent.z) : tangent);
 }
 
 // The field with every gradient turned by an angle, given as its cosine and sine.

@@ -31,6 +31,7 @@ void History::start(const Snapshot& first) {
 void History::begin() {
   next_ = Next::sure_new;
   by_means_ = false;
+  taking_back_ = false;
 }
 
 void History::go_on(Means means, double now) {
@@ -49,11 +50,12 @@ void History::note(const Snapshot& snapshot, double now) {
   if (snapshot == present_) return;
   const std::string_view subject = next_ == Next::same ? subject_ : subject_of(present_.document, snapshot.document);
   const bool goes_on = next_ == Next::same || (next_ == Next::perhaps_new && subject == subject_);
-  const bool leads_back = !goes_on && !past_.empty() && past_.back() == snapshot && now - last_ <= rest;
+  const bool leads_back = !goes_on && !past_.empty() && past_.back() == snapshot && taking_back_;
   if (!goes_on && !leads_back) step_from_present();
   present_ = snapshot;
   if (leads_back) past_.pop_back();
   next_ = leads_back ? Next::sure_new : Next::same;
+  taking_back_ = false;
   subject_ = subject;
   last_ = now;
   future_.clear();

@@ -34,9 +34,11 @@ class History {
   // and changed the same parameter; the camera counts as one, and so do several at once. now: seconds of any steady
   // clock.
   void go_on(Means means, double now);
+  // The next change takes back what the last step did, if it leads to where that began, and leaves neither: the second
+  // click of two.
+  void take_back() { taking_back_ = true; }
   // The scene as it is after a change; nothing if it is what it was. Until the next begin or go_on all changes belong
-  // together. A step that leads back to where the last one began, within `rest`, leaves neither: the first click of
-  // two. What was undone is forgotten.
+  // together. What was undone is forgotten.
   void note(const Snapshot& snapshot, double now);
 
   [[nodiscard]] bool can_undo() const { return past_.size() > (last_step_is_empty() ? 1U : 0U); }
@@ -59,6 +61,7 @@ class History {
   Snapshot present_;
   Next next_ = Next::sure_new;
   Means means_ = Means::calls;
+  bool taking_back_ = false;
   bool by_means_ = false;     // whether the last step, or the one to come, is of means_
   std::string_view subject_;  // of the last step: the one parameter that it changed, or the camera
   double last_ = 0.0;         // time of the last change, notch, tap or call

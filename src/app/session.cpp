@@ -23,8 +23,11 @@ constexpr double double_click_time = 0.3;  // s
 constexpr std::size_t frames_timed = 60;
 constexpr std::ptrdiff_t most_notices = 24;
 
-// In an upright window, camera.fov is that of its width: the planet would be twice as wide as a phone.
-double field_of(double width, double height) { return std::max(1.0, height / width); }
+// camera.fov is that of the shorter side of what is free: in an upright window the planet would be twice as wide as
+// that.
+double field_of(double width, double height, glm::dvec2 covered = glm::dvec2(0.0)) {
+  return std::max(1.0, height / std::max(1.0, std::min(width - covered.x, height - covered.y)));
+}
 
 }  // namespace
 
@@ -78,7 +81,9 @@ void Session::context_lost() {
 }
 
 void Session::resize(int width, int height, double scale, bool fingers) {
-  const PanelPlace place = first_panel_place(width, height, fingers);
+  PanelPlace place = first_panel_place(width, height, fingers);
+  // What has taken of the height alone is a keyboard on the screen: what is typed into stays where it is.
+  if (fingers && width == width_ && wants_text()) place = panel_.place();
   const bool large_rows = fingers || place.below;
   if (scale != scale_ || large_rows != large_rows_) {
     style_panel(static_cast<float>(scale), large_rows);
@@ -104,11 +109,11 @@ View Session::view() const {
   view.width = std::clamp(static_cast<int>(width_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.seconds = seconds_;
-  view.field = field_of(width_, height_);
   // Into the middle of what the panel leaves free.
-  const Covered covered = panel_shown_ ? panel_.covered() : Covered();
-  view.shift = glm::dvec2(0.5, -0.5) * glm::dvec2(covered.left, covered.below) * glm::dvec2(view.width, view.height) /
-               (glm::dvec2(width_, height_) * scale_);
+  const Covered hidden = panel_shown_ ? panel_.covered() : Covered();
+  const glm::dvec2 covered = glm::dvec2(hidden.left, hidden.below) / scale_;
+  view.field = field_of(width_, height_, covered);
+  view.shift = glm::dvec2(0.5, -0.5) * covered * glm::dvec2(view.width, view.height) / glm::dvec2(width_, height_);
   return view;
 }
 
@@ -142,6 +147,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   // The planet is shown first: a panel's font and programs would keep it waiting.
   const bool panel_wanted = panel_shown_ && frames_ > 0 && (panel_frames_ > 0 || planet_stale_);
   if (panel_wanted) run_panel();
+  hand_on_typed_ahead();
   if (panel_wanted && panel_.shows_presets()) draw_preset_picture();
   if (!panel_shown_) ImGui::GetIO().ClearEventsQueue();  // which nobody reads
   const bool refining = frames_ > 0 && !renderer_->settled() && !hand_on_value_;
@@ -238,6 +244,7 @@ void Session::obey(const PanelWishes& wishes) {
   if (wishes.preset_chosen) opened_ = document_;
   if (wishes.scene_changed || wishes.scene_replaced) {
     begin_step_of_panel();
+    if (wishes.takes_back) history_.take_back();
     scene_was_changed();
   }
   // The hand has left a value: now the finer ground can come.
@@ -366,7 +373,14 @@ void Session::add_notices(const std::vector<std::string>& sentences) {
     notices_.push_back(sentence);
   }
   if (std::ssize(notices_) > most_notices) notices_.erase(notices_.begin(), notices_.end() - most_notices);
+  if (!sentences.empty()) panel_.unfold();
   panel_frames_ = 3;
+}
+
+void Session::copy_failed() {
+  panel_.forget_copied();
+  add_notices(
+      {"Nothing was copied: the browser keeps its clipboard from this page. Save writes the scene into a file."});
 }
 
 void Session::render_at(double seconds, GLuint framebuffer) {

@@ -97,7 +97,10 @@ class Session {
   void show_panel(bool shown);
   // What the host was given to keep, or nothing.
   void take_habits(const std::string& habits);
+  // Unfolds the panel, where they stand.
   void add_notices(const std::vector<std::string>& sentences);
+  // What Host::copy_text or copy_typed was given did not reach the clipboard.
+  void copy_failed();
 
   // Draws the planet as it is at a time, complete, and waits until it is there. Leaves the clock at that time.
   void render_at(double seconds, GLuint framebuffer);
@@ -116,6 +119,7 @@ class Session {
   bool is_for_panel(Key key) const;
   bool lead_into_panel();
   void share_clipboard();
+  void hand_on_typed_ahead();
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
@@ -170,6 +174,8 @@ class Session {
   bool hand_on_value_ = false;
   bool tab_leads_out_ = false;  // the panel was left by Escape
   OnPanel on_panel_ = OnPanel::nothing_new;
+  bool pressed_on_panel_ = false;              // by the last press
+  std::optional<std::u32string> typed_ahead_;  // for the search, whose field is on its way
   bool comparing_ = false;
 
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn

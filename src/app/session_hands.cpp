@@ -35,12 +35,13 @@ void Session::pointer_button(Button button, bool down) {
   imgui_input::button(static_cast<int>(button), down);
   panel_frames_ = 3;
   tab_leads_out_ = false;
+  if (down) pressed_on_panel_ = panel_shown_ && ImGui::GetIO().WantCaptureMouse;
   if (!down) {
     if (drag_ == Drag::turn) camera_.release(now_ - last_drag_time_);
     drag_ = Drag::none;
     return;
   }
-  if (panel_shown_ && ImGui::GetIO().WantCaptureMouse) {
+  if (pressed_on_panel_) {
     on_panel_ = OnPanel::press;
     return;
   }
@@ -72,6 +73,7 @@ void Session::wheel(double notches) {
 }
 
 void Session::pinch(double factor, double twist, double dx, double dy, double x, double y) {
+  if (pressed_on_panel_) return;  // the first finger came down there
   drag_ = Drag::none;
   const glm::dvec2 middle = to_pixels({x, y});
   if (std::isfinite(factor) && factor > 0.0)
@@ -83,7 +85,7 @@ void Session::pinch(double factor, double twist, double dx, double dy, double x,
 
 // While a widget of the panel has the keyboard, these lead from one to the next, and press them.
 bool Session::is_for_panel(Key key) const {
-  if (wants_text()) return true;
+  if (wants_text() || typed_ahead_) return true;
   return panel_shown_ && panel_.has_keyboard() && imgui_input::navigates(key);
 }
 
@@ -182,12 +184,28 @@ void Session::update_pushes() {
 
 void Session::text(unsigned codepoint) {
   const bool typing = wants_text();
+  if (typed_ahead_ && !typing) {
+    typed_ahead_->push_back(codepoint);
+    return;
+  }
   panel_frames_ = 3;
   if (typing || (codepoint != '/' && codepoint != '?')) return imgui_input::text(codepoint);
   show_panel(true);
-  if (codepoint == '/') panel_.start_search();
   if (codepoint == '?') panel_.toggle_keys();
   panel_frames_ = frames_until_focus;
+  if (codepoint != '/') return;
+  panel_.start_search();
+  typed_ahead_.emplace();
+}
+
+// A panel that was hidden, or frames that are slow, would else give the letters to the planet.
+void Session::hand_on_typed_ahead() {
+  if (!typed_ahead_) return;
+  if (wants_text()) {
+    for (const char32_t codepoint : *typed_ahead_) imgui_input::text(codepoint);
+    if (!typed_ahead_->empty()) panel_frames_ = std::max(panel_frames_, 3);
+  }
+  if (wants_text() || !panel_shown_ || panel_frames_ == 0) typed_ahead_.reset();
 }
 
 void Session::pasted(const std::string& text) {

@@ -10,6 +10,7 @@
 #include "panel/picture_menu.hpp"
 #include "panel/preset_combo.hpp"
 #include "panel/widgets.hpp"
+#include "scene/view_groups.hpp"
 
 namespace terrella {
 namespace {
@@ -22,9 +23,16 @@ void continue_at_right(float width) {
   ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width, 0.0F);
 }
 
+// Whether the planet is not the preset's; wherever it is seen from.
+bool is_changed(const Sheet& sheet) {
+  return std::any_of(groups().begin(), groups().end(),
+                     [&](const Group& group) { return !is_of_view(group.name) && sheet.differs(group); });
+}
+
 void preset_list(Sheet& sheet, float width) {
   const Preset& chosen = *sheet.preset;
-  const Preset* const picked = preset_combo(sheet, "preset", chosen, text_of(chosen.about, '.'), width);
+  const std::string title = is_changed(sheet) ? text_of(chosen.title, ", changed") : chosen.title;
+  const Preset* const picked = preset_combo(sheet, "preset", chosen, title, text_of(chosen.about, '.'), width);
   if (picked == nullptr) return;
   sheet.start_from(*picked);
   sheet.wishes.preset_chosen = true;

@@ -47,6 +47,7 @@ struct SliderHand {
 struct Search {
   std::array<char, 48> text{};
   bool wanted = false;  // the field shall have the keyboard
+  bool alone = false;   // what is found stands there without the rest of the panel
 };
 
 // A finger on the panel.

@@ -58,7 +58,8 @@ void mix_section(Sheet& sheet) {
   const Preset* const remembered = find_preset(mix.preset);
   const Preset& preset = remembered != nullptr ? *remembered : presets()[1];
   const float room = ImGui::GetContentRegionAvail().x, space = ImGui::GetStyle().ItemSpacing.x;
-  const Preset* const picked = preset_combo(sheet, "mix/preset", preset, "The preset to mix with.", label_share * room);
+  const Preset* const picked =
+      preset_combo(sheet, "mix/preset", preset, preset.title, "The preset to mix with.", label_share * room);
   if (picked != nullptr) mix_to(sheet, *picked, mix.share);
   ImGui::SameLine();
   slider(sheet, preset, (1.0F - label_share) * room - space);

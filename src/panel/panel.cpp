@@ -109,13 +109,16 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   if (visible && !place.folded) {
     title_row(sheet);
     begin_rows(place);
-    if (!found_need_the_room(memory_)) {
+    const bool alone = found_need_the_room(memory_);
+    if (!alone) {
       head_section(sheet);
       notices_section(sheet);
       clock_section(sheet);
       ImGui::Spacing();
     }
     search_field(sheet);
+    if (std::exchange(memory_.search.alone, alone) != alone)
+      ImGui::SetScrollHereY(0.0F);  // what was above it went or came
     sections_below_search(sheet);
     end_rows(place);
   }
@@ -145,7 +148,7 @@ void Panel::surprise(SceneDocument& document) {
 }
 
 void Panel::start_search() {
-  memory_.folded = false;
+  unfold();
   memory_.search.wanted = true;
 }
 

@@ -47,7 +47,8 @@ struct PanelWishes {
   bool scene_changed = false;   // some parameter has another value
   bool scene_replaced = false;  // a preset was chosen or everything reset
   bool preset_chosen = false;
-  bool dragging = false;  // the hand is still on a value
+  bool dragging = false;    // the hand is still on a value
+  bool takes_back = false;  // the change takes back that of a first click, for this was the second
   bool undo = false, redo = false;
   std::optional<bool> paused;
   std::optional<double> seconds;
@@ -88,6 +89,11 @@ class Panel {
 
   // Whether the last frame had a list of presets open, which shows PanelFacts::preset_pictures.
   [[nodiscard]] bool shows_presets() const { return memory_.presets_shown; }
+
+  void unfold() { memory_.folded = false; }
+
+  // What a button says to have copied was not.
+  void forget_copied() { memory_.copied = {}; }
 
   // Unfolds the panel and puts the keyboard into its search field, as the next frames are drawn.
   void start_search();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "panel/finger_scroll.hpp"
 #include "panel/icon_buttons.hpp"
 #include "panel/keyboard.hpp"
 #include "panel/quantity.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr float label_width = 124.0F;      // points
 constexpr float narrowest_value = 110.0F;  // points; narrower, it takes the room of its lock
+constexpr float narrowest_seed = 60.0F;    // points; narrower, its six digits do without - and + beside them
 constexpr float picker_width = 220.0F;     // points: for fingers, too, it leaves the planet in sight
 constexpr double widest_slider = 5000;     // of whole numbers; beyond, a pixel would skip too many
 
@@ -35,16 +37,24 @@ double number_of(const Sheet& sheet, const Parameter& parameter) {
   return whole != nullptr ? *whole : std::get<double>(value);
 }
 
+// Without its unit where there is no room for both: what is cut off would be neither.
+std::string text_in_bar(const Parameter& parameter, double value, float width) {
+  std::string text = quantity_text(parameter, value);
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  return text.substr(0, text.find(' '));
+}
+
 void slider(Sheet& sheet, const Parameter& parameter, float width) {
   const double value = number_of(sheet, parameter);
   const SliderRange range = slider_range(parameter, sheet.document.scene);
   const double position = range.position_of(value);
-  bar("value", position, quantity_text(parameter, value), width);
+  bar("value", position, text_in_bar(parameter, value, width), width);
   sheet.place(parameter.path);
   const SliderWish wish = hand_on_slider(sheet.memory.hand, parameter.path, position, value);
   if (wish.steps != 0.0) sheet.set(parameter, range.stepped(value, wish.steps));
   if (wish.position) sheet.set(parameter, range.value_at(*wish.position));
   if (!wish.type) return;
+  if (wish.takes_back) sheet.wishes.takes_back = true;
   sheet.set(parameter, *wish.type);
   start_typing(sheet.memory.typing, parameter.path, quantity_to_edit(parameter, *wish.type));
 }
@@ -59,9 +69,10 @@ void number_field(Sheet& sheet, const Parameter& parameter) {
 }
 
 // For seeds: what counts is to get to the next one.
-void stepper(Sheet& sheet, const Parameter& parameter) {
+void stepper(Sheet& sheet, const Parameter& parameter, float width) {
   int value = std::get<int>(parameter.get(sheet.document.scene));
-  if (ImGui::InputInt("##value", &value, 1, 100)) {
+  const bool with_buttons = width - 2.0F * ImGui::GetFrameHeight() > points(narrowest_seed);
+  if (ImGui::InputInt("##value", &value, with_buttons ? 1 : 0, with_buttons ? 100 : 0)) {
     sheet.set(parameter, std::clamp<double>(value, parameter.min, parameter.max));
   }
   sheet.place(parameter.path);
@@ -76,7 +87,7 @@ bool has_slider(const Parameter& parameter) {
 
 void number_widget(Sheet& sheet, const Parameter& parameter, float width) {
   if (sheet.memory.typing.path == parameter.path) return number_field(sheet, parameter);
-  if (!has_slider(parameter)) return stepper(sheet, parameter);
+  if (!has_slider(parameter)) return stepper(sheet, parameter, width);
   slider(sheet, parameter, width);
 }
 
@@ -160,9 +171,11 @@ bool lock(Sheet& sheet, const Parameter& parameter, bool shown) {
   return ImGui::IsItemHovered();
 }
 
+// In the unit in which it is shown, and counted when it is typed.
 std::string text_of_value(const Parameter& parameter, const Scene& scene) {
-  const std::string text = to_text(parameter.get(scene));
-  return parameter.unit.empty() ? text : text_of(text, ' ', parameter.unit);
+  const Value value = parameter.get(scene);
+  if (const auto* number = std::get_if<double>(&value)) return quantity_to_edit(parameter, *number);
+  return to_text(value);
 }
 
 void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
@@ -208,7 +221,7 @@ void parameter_row(Sheet& sheet, const Parameter& parameter) {
   bool on_lock = false;
   if (room_of_lock > 0.0F && is_for_chance(parameter)) {
     ImGui::SameLine(ImGui::GetCursorPosX() + width - room_of_lock, 0.0F);
-    on_lock = lock(sheet, parameter, pointed_at);
+    on_lock = lock(sheet, parameter, pointed_at || by_finger());  // a finger can't look for it
   }
 
   if (on_lock) {

@@ -6,10 +6,10 @@
 #include "panel/widgets.hpp"
 
 namespace terrella {
-const Preset* preset_combo(Sheet& sheet, std::string_view name, const Preset& chosen, const std::string& help,
-                           float width) {
+const Preset* preset_combo(Sheet& sheet, std::string_view name, const Preset& chosen, const std::string& title,
+                           const std::string& help, float width) {
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(text_of("##", name).c_str(), chosen.title.c_str(), ImGuiComboFlags_HeightLargest);
+  const bool open = ImGui::BeginCombo(text_of("##", name).c_str(), title.c_str(), ImGuiComboFlags_HeightLargest);
   sheet.place(name);
   if (!open) {
     tooltip(help);

@@ -8,8 +8,8 @@
 namespace terrella {
 
 // Returns the preset that was picked in this frame, or null. name: of the list in the places of widgets, and of each
-// entry before its preset's name; help: a sentence for the closed list; width: pixels.
-const Preset* preset_combo(Sheet& sheet, std::string_view name, const Preset& chosen, const std::string& help,
-                           float width);
+// entry before its preset's name; title, help: of the closed list, help being a sentence; width: pixels.
+const Preset* preset_combo(Sheet& sheet, std::string_view name, const Preset& chosen, const std::string& title,
+                           const std::string& help, float width);
 
 }  // namespace terrella

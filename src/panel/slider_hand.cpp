@@ -71,6 +71,7 @@ SliderWish hand_on_slider(SliderHand& hand, std::string_view path, double positi
     grip = {};
   } else if (ImGui::IsItemActivated() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && grip.path == path) {
     wish.type = grip.before;
+    wish.takes_back = true;
     grip = {};
   } else if (ImGui::IsItemActivated()) {
     press(grip, path, position, value);

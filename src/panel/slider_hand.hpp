@@ -12,6 +12,7 @@ struct SliderWish {
   std::optional<double> position;  // where the hand drags it, 0..1
   double steps = 0.0;              // small ones, by the wheel or arrow keys
   std::optional<double> type;      // the value that shall be typed over
+  bool takes_back = false;         // what a first click did: this was the second
 };
 
 // What the hand does to the slider drawn last, which stands at a position and a value. A press takes it to the pointer;

@@ -138,8 +138,11 @@ bool toggle_button(const char* label, bool on, float width) {
 }
 
 bool link_button(const char* label) {
-  const ImVec2 from = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(label);
-  const bool pressed = ImGui::InvisibleButton(label, size);
+  const ImVec2 size = ImGui::CalcTextSize(label);
+  const float height = ImGui::GetFrameHeight();
+  ImVec2 from = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(label, {size.x, height});
+  from.y += 0.5F * (height - size.y);
   const unsigned color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_CheckMark);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText(from, color, label);

@@ -28,6 +28,16 @@ double shoal_of(const Frame& frame) {
   return std::max(4.0 * frame.scene.waves.amplitude / frame.scene.planet.radius, 1.125 * frame.sea.highest) + 1e-6;
 }
 
+glm::dvec3 linear(const Color& color) { return {linear_light(color.r), linear_light(color.g), linear_light(color.b)}; }
+
+// Part of the sunlight that glows around the sun in the sky of the eye; none where that is outside of the air.
+glm::dvec3 glow_at_eye(const Frame& frame) {
+  const double distance = glm::length(frame.pose.eye), top = frame.scene.air.height / frame.scene.planet.radius;
+  const double within = 1.0 - glm::smoothstep(0.7 * top, top, distance - 1.0);
+  const glm::dvec3 sun = direction_of(frame.scene.sun.latitude, frame.scene.sun.longitude);
+  return within * f64::glow_of_sky(glm::dot(frame.pose.eye / distance, sun), linear(frame.scene.air.dusk_color));
+}
+
 }  // namespace
 
 Sight sight_of(const Frame& frame) {
@@ -74,9 +84,8 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.ray_up = vector(up);
   block.sun_direction =
       vector(direction_of(scene.sun.latitude, scene.sun.longitude), std::exp2(scene.picture.exposure));
-  const Color sun = scene.sun.color;
-  const glm::dvec3 sun_color(linear_light(sun.r), linear_light(sun.g), linear_light(sun.b));
-  block.sun_light = vector(sun_color * (scene.sun.intensity * ring_shade_around(scene, pose.eye)));
+  const glm::dvec3 sunlight = linear(scene.sun.color) * (scene.sun.intensity * ring_shade_around(scene, pose.eye));
+  block.sun_light = vector(sunlight);
   block.ground_map_scale = glm::vec4(maps.ground_texel, needs.pixel_octaves_first, needs.pixel_octaves_end,
                                      needs.water == Water::none ? 0.0 : 1.0);
   block.cloud_turn =
@@ -88,13 +97,12 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
                            needs.air == Air::none ? 0.0 : 1.0, 0.0);
   const double turn = turned(scene.water.ripple_speed, view.seconds);
   block.ripple_turn = glm::vec4(std::cos(turn), std::sin(turn), needs.ripple_layers, 0.0);
-  const Color tint = scene.water.tint;
-  const glm::dvec3 tint_light(linear_light(tint.r), linear_light(tint.g), linear_light(tint.b));
-  block.water_extinction = vector(f64::extinction_of(tint_light) * (radius / scene.water.clarity));
+  block.water_extinction = vector(f64::extinction_of(linear(scene.water.tint)) * (radius / scene.water.clarity));
   // Where the sea freezes, snow lies on the ground.
   const double snow_sine = f64::polar_sine(scene.terrain.snow_latitude);
   const double ice_sine = has_ice(scene) ? f64::polar_sine(scene.water.ice_latitude) - 0.1 : snow_sine;
   block.levels = glm::vec4(std::min(snow_sine, ice_sine), needs.water_lift, maps.ground_level, 0.0);
+  block.sky_glow = needs.air == Air::none ? glm::vec4(0.0F) : vector(sunlight * glow_at_eye(frame));
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

@@ -31,11 +31,13 @@ bool same_in(std::string_view group, const Scene& a, const Scene& b) {
 }
 
 // One preset for each content that a group has: most leave waves and stars as they are, and would outweigh the others.
+// But rings are the exception, and are to stay it.
 std::vector<const Scene*> kinds_of(std::string_view group) {
+  const bool as_often_as_there = group == "rings";
   std::vector<const Scene*> kinds;
   for (const Preset& preset : presets()) {
     const auto same = [&](const Scene* kind) { return same_in(group, *kind, preset.scene); };
-    if (std::none_of(kinds.begin(), kinds.end(), same)) kinds.push_back(&preset.scene);
+    if (as_often_as_there || std::none_of(kinds.begin(), kinds.end(), same)) kinds.push_back(&preset.scene);
   }
   return kinds;
 }

@@ -140,18 +140,19 @@ TEST_F(HistoryTest, ADoubleClickThatPutsBackWhatItsFirstClickDidLeavesNoStep) {
   history.begin();
   steepness(0.1, 1.0);
   history.begin();
-  steepness(first, 1.2);
+  history.take_back();
+  steepness(first, 9.0);  // where frames are slow
   EXPECT_FALSE(history.can_undo());
   history.go_on(History::Means::keys, 3.0);
   steepness(0.5, 3.0);  // what was typed
   EXPECT_EQ(steps_back(), 1);
 }
 
-TEST_F(HistoryTest, AValuePutBackLaterIsAStep) {
+TEST_F(HistoryTest, AValuePutBackIsAStep) {
   history.begin();
   steepness(0.1, 1.0);
   history.begin();
-  steepness(first, 2.0);
+  steepness(first, 1.1);
   EXPECT_EQ(undone(), 0.1);
   EXPECT_EQ(undone(), first);
 }

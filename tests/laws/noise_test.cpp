@@ -134,6 +134,35 @@ TEST(FlowNoise, WithoutATurnIsSimplexNoise) {
   }
 }
 
+// What is turned towards tangents that favour an axis shows the lattice: ripples of the sea would be bricks.
+TEST(FlowNoise, PrefersNoDirectionHoweverFarItIsTurned) {
+  Places places(25U);
+  for (double angle = 0.0; angle < 6.28; angle += 0.39) {
+    glm::dmat3 squares(0.0);
+    glm::dvec3 gradients(0.0);
+    double sum = 0.0, of_squares = 0.0;
+    const int count = 40'000;
+    for (int i = 0; i < count; ++i) {
+      const f64::Noise n = f64::flow_noise(glm::ivec3(0), places.in_cube(100.0), angle, 3U);
+      squares += glm::outerProduct(n.gradient, n.gradient) / static_cast<double>(count);
+      gradients += n.gradient / static_cast<double>(count);
+      sum += n.value;
+      of_squares += n.value * n.value;
+    }
+    // By chance the three differ by 1.5 % of their mean.
+    const double mean = (squares[0][0] + squares[1][1] + squares[2][2]) / 3.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(squares[axis][axis], mean, 0.04 * mean) << "axis " << axis << " at " << angle;
+      EXPECT_NEAR(squares[axis][(axis + 1) % 3], 0.0, 0.04 * mean) << "axes " << axis << " on at " << angle;
+      EXPECT_NEAR(gradients[axis], 0.0, 0.03 * std::sqrt(mean)) << "axis " << axis << " at " << angle;
+    }
+    const double deviation = std::sqrt(of_squares / count);
+    EXPECT_NEAR(sum / count, 0.0, 4.0 * deviation / std::sqrt(count) + 0.001) << "at " << angle;
+    EXPECT_GT(deviation, 0.25);
+    EXPECT_LT(deviation, 0.45);
+  }
+}
+
 TEST(FlowNoise, GradientIsTheDerivative) {
   Places places(19U);
   for (int i = 0; i < 5000; ++i) {

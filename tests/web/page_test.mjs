@@ -275,6 +275,28 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('says so where nothing could be copied, and forgets what others have added to its link', async () => {
+    const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25&utm_source=a&fbclid=b', { viewport: { width: 800, height: 600 } });
+    const below = () => look(page, undefined, { x: 16, y: 105, width: 300, height: 40 });  // the buttons that copy
+    const before = await below();
+    // As from plain http: the old way is left.
+    await page.evaluate(() => {
+      Object.defineProperty(navigator, 'clipboard', { value: undefined });
+      document.execCommand = () => { window.copied = document.activeElement.value; return true; };
+    });
+    await page.mouse.click(69, 74);
+    await until(page, () => window.copied === terrella.link() && document.activeElement.id === 'planet');
+    await settled(page);
+    assert.deepEqual(await below(), before);
+    assert.ok(!(await page.evaluate(() => terrella.link())).includes('utm'));
+    await page.evaluate(() => { document.execCommand = () => false; });
+    await page.mouse.click(69, 74);
+    await settled(page);
+    assert.notDeepEqual(await below(), before);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('takes what is pasted into the field that is typed in, else for a scene', async () => {
     const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 600 } });
     const paste = text => page.evaluate(text => {

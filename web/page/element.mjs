@@ -4,9 +4,9 @@ import { Planet } from './planet.mjs';
 // A sheet that is constructed: the security policies that forbid a page's own <style> allow it.
 const style = new CSSStyleSheet();
 style.replaceSync(`
-  :host { display: block; position: relative; aspect-ratio: 16 / 9; overflow: hidden; background: #05060a; color: #e8ecf4; }
+  :host { display: block; position: relative; aspect-ratio: 16 / 9; overflow: hidden; background: #05060a; color: #e8ecf4; touch-action: none; }
   :host([hidden]) { display: none; }
-  canvas { position: absolute; inset: 0; width: 100%; height: 100%; outline: none; touch-action: none; -webkit-user-select: none; user-select: none; -webkit-touch-callout: none; -webkit-tap-highlight-color: transparent; cursor: grab; }
+  canvas { position: absolute; inset: 0; width: 100%; height: 100%; outline: none; touch-action: inherit; -webkit-user-select: none; user-select: none; -webkit-touch-callout: none; -webkit-tap-highlight-color: transparent; cursor: grab; }
   canvas:active { cursor: grabbing; }
   canvas:focus-visible:not([data-by-hand]) { outline: 2px solid #6aa9ff; outline-offset: -2px; }
   p { position: absolute; inset: 0; display: grid; place-content: center; margin: 1.5rem; text-align: center; font: 16px/1.5 system-ui, sans-serif; }

@@ -23,7 +23,7 @@ function keepHabits(text) {
 }
 
 const planet = new Planet(canvas, {
-  query: () => location.search,
+  query: withoutTrackers,
   linkTo,
   habits,
   keepHabits,
@@ -36,6 +36,15 @@ const planet = new Planet(canvas, {
     message.textContent = sentence;
   },
 });
+
+// What others add to links that are shared through them.
+function withoutTrackers() {
+  const query = new URLSearchParams(location.search);
+  const trackers = [...query.keys()].filter(key => /^(utm_\w+|\w*clid|igsh(id)?|mc_[ce]id)$/.test(key));
+  if (trackers.length === 0) return location.search;  // to the letter, for the sentences about it
+  for (const key of trackers) query.delete(key);
+  return '?' + query;
+}
 
 function linkTo(scene) {
   const query = new URLSearchParams(scene);

@@ -66,8 +66,8 @@ export class Planet {
       return this.#fail('Terrella could not start its WebAssembly program: ' + error.message);
     }
     this.#around.progressed(0.3);
-    if (this.#around.query()) this.loadQuery();
     this.#call('take_habits', ['string'], [this.#around.habits()]);
+    if (this.#around.query()) this.loadQuery();
     this.showPanel();
     this.setClock();
     this.#describe();
@@ -235,8 +235,8 @@ export class Planet {
     return {
       canvas: this.#canvas,
       onSceneChanged: () => this.#sceneChanged(),
-      onCopyText: text => copy(text.startsWith('{') ? text : this.api.link()),
-      onCopyTyped: copy,
+      onCopyText: text => this.#copy(text.startsWith('{') ? text : this.api.link()),
+      onCopyTyped: text => this.#copy(text),
       onSaveJson: text => save(new Blob([text], { type: 'application/json' }), 'planet.json'),
       onOpenJson: () => {
         const input = document.createElement('input');
@@ -250,6 +250,12 @@ export class Planet {
       onKeepHabits: text => this.#around.keepHabits(text),
       onSavePicture: wish => this.#screenshot(wish).then(blob => save(blob, 'planet.png')),
     };
+  }
+
+  async #copy(text) {
+    if (await copied(text) || copiedByField(text, this.#canvas)) return;
+    this.#program._terrella_copy_failed();
+    this.#wake();
   }
 
   // Or back.
@@ -307,7 +313,28 @@ export class Planet {
   }
 }
 
-function copy(text) { navigator.clipboard?.writeText(text).catch(() => {}); }
+// Browsers have no clipboard for pages that came over plain http, and may refuse it to others.
+async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+// The old way, which needs a field to copy from.
+function copiedByField(text, canvas) {
+  const field = document.createElement('textarea');
+  Object.assign(field.style, { position: 'fixed', opacity: '0' });
+  field.value = text;
+  canvas.after(field);
+  field.select();
+  const done = document.execCommand('copy');
+  field.remove();
+  canvas.focus({ preventScroll: true });
+  return done;
+}
 
 function save(blob, name) {
   const anchor = document.createElement('a');
@@ -349,6 +376,8 @@ function listenToPointers({ canvas, program, wake }, screenKeys) {
   const down = event => {
     // A frame around the planet is for who came by keys; browsers draw it as well after a call of focus.
     canvas.toggleAttribute('data-by-hand', true);
+    // The mouse that browsers imitate after a finger would take the focus from the field of the keyboard on the screen.
+    if (event.pointerType === 'touch') event.preventDefault();
     if (!screenKeys.shown) canvas.focus();
     canvas.setPointerCapture(event.pointerId);
     const at = place(event);
