@@ -18,6 +18,11 @@ terrella_header_package(json nlohmann/json.hpp)
 
 find_program(GLSLANG NAMES glslangValidator glslang NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 
+# The panel's font, and what cuts it down.
+find_program(HB_SUBSET hb-subset NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+find_file(PANEL_FONT Roboto-Regular.ttf NO_CMAKE_FIND_ROOT_PATH
+          PATHS /usr/share/fonts /usr/local/share/fonts PATH_SUFFIXES truetype/roboto/unhinted/RobotoTTF REQUIRED)
+
 if(NOT EMSCRIPTEN)
   find_package(Threads REQUIRED)
   find_package(PNG REQUIRED)

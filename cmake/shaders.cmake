@@ -5,6 +5,7 @@
 #   shader_sources.cpp         all stages, for gl
 #   formulas/formulas.hpp      shaders/lib as C++, in float and in double
 #   preset_texts.cpp           all presets, for scene
+#   font_bytes.cpp             the panel's font, which is a file of the system's
 
 set(shaders ${PROJECT_SOURCE_DIR}/shaders)
 set(generated ${PROJECT_BINARY_DIR}/generated)
@@ -47,3 +48,9 @@ set(TERRELLA_PRESET_TEXTS ${generated}/preset_texts.cpp)
 add_custom_command(OUTPUT ${TERRELLA_PRESET_TEXTS}
   COMMAND ${CMAKE_COMMAND} -DFOLDER=${presets} -DOUT=${TERRELLA_PRESET_TEXTS} -P ${scripts}/preset_embed.cmake
   DEPENDS ${preset_files} ${scripts}/preset_embed.cmake VERBATIM)
+
+set(TERRELLA_FONT_BYTES ${generated}/font_bytes.cpp)
+add_custom_command(OUTPUT ${TERRELLA_FONT_BYTES}
+  COMMAND ${CMAKE_COMMAND} -DHB_SUBSET=${HB_SUBSET} -DFONT=${PANEL_FONT} -DOUT=${TERRELLA_FONT_BYTES}
+          -P ${scripts}/font_embed.cmake
+  DEPENDS ${PANEL_FONT} ${scripts}/font_embed.cmake VERBATIM)

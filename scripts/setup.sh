@@ -32,6 +32,8 @@ build_tools() {
   command_from ninja-build ninja
   command_from glslang-tools glslangValidator glslang
   command_from xz-utils xz
+  command_from libharfbuzz-bin hb-subset
+  file_from fonts-roboto-unhinted "share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf"
   header_from libglm-dev glm/glm.hpp
   header_from nlohmann-json3-dev nlohmann/json.hpp
 }

@@ -13,6 +13,7 @@ namespace {
 constexpr float widest = 440.0F;  // points
 constexpr float most_of_display = 0.92F;
 constexpr float keys_share = 0.45F;  // of the width
+constexpr float line_gap = 3.0F;     // points; the whole list fits on a small screen
 
 bool begin_in_the_middle() {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -41,12 +42,14 @@ void heading(Sheet& sheet) {
 }
 
 void lines_of(const KeyGroup& group) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, points(line_gap)});
   ImGui::SeparatorText(std::string(group.title).c_str());
   for (const KeyLine& line : group.lines) {
     two_columns(
         keys_share, [&] { ImGui::TextWrapped("%s", std::string(line.keys).c_str()); },
         [&] { quiet_text(std::string(line.does)); });
   }
+  ImGui::PopStyleVar();
 }
 
 }  // namespace

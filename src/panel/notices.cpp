@@ -9,15 +9,6 @@
 namespace terrella {
 namespace {
 
-// The font has no letters beyond Latin-1.
-std::string in_latin1(std::string text) {
-  static constexpr std::string_view ellipsis = "\u2026";
-  for (std::size_t at = text.find(ellipsis); at != std::string::npos; at = text.find(ellipsis, at)) {
-    text.replace(at, ellipsis.size(), "...");
-  }
-  return text;
-}
-
 void search_for(Search& search, const Parameter& parameter) {
   search.text = {};
   const std::size_t length = std::min(parameter.path.size(), search.text.size() - 1);
@@ -35,7 +26,7 @@ void show(Sheet& sheet, const std::string& text) {
   const Notice notice = notice_of(text);
   ImGui::PushID(text.c_str());
   link_to(sheet, notice.about);
-  ImGui::TextWrapped("%s", in_latin1(notice.sentence).c_str());
+  ImGui::TextWrapped("%s", notice.sentence.c_str());
   link_to(sheet, notice.suggested);
   ImGui::PopID();
 }

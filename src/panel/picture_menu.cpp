@@ -52,7 +52,8 @@ void own_size(Sheet& sheet) {
     ImGui::CloseCurrentPopup();
   }
   sheet.place("picture/own");
-  quiet_text(text_of("Each side 1 to ", sheet.facts.largest_picture, " pixels."));
+  // Not wrapped: before the window knows its width it would be so high that it opens elsewhere than at the pointer.
+  ImGui::TextDisabled("Each side 1 to %d pixels.", sheet.facts.largest_picture);
 }
 
 }  // namespace

@@ -2,14 +2,16 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <span>
 
+#include "panel/font_bytes.hpp"
 #include "panel/panel.hpp"
+#include "panel/widgets.hpp"
 
 namespace terrella {
 namespace {
 
-constexpr float font_size = 13.0F;      // points, and the size for which Dear ImGui's font was drawn
-constexpr float finger_font = 15.0F;    // points; a phone is small, and nearer to the eye than a desk's screen
+constexpr float finger_font = 17.3F;    // points; a phone is small, and nearer to the eye than a desk's screen
 constexpr float finger_height = 44.0F;  // points, of whatever a finger shall hit
 
 // What lies under text, lies nearly opaque: contrast holds over white clouds and black space alike.
@@ -47,14 +49,24 @@ void set_colors(ImVec4* colors) {
   colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = line;
 }
 
-void set_font(float points, float scale) {
+// Small letters are finer than pixels: between these they lie where their gaps are even, and lit more, as what covers
+// half a pixel looks like less than half. Large ones are sharp only at whole pixels. The atlas keeps the bytes, not a
+// copy.
+void set_font(float height) {
+  constexpr float large = 30.0F;  // pixels
+  constexpr float more_light = 1.3F;
+  static constexpr ImWchar letters[] = {0x20, 0xff, 0x2026, 0x2026, 0};
+  const std::span<const unsigned char> bytes = font_bytes();
   ImFontConfig config;
-  config.SizePixels = std::round(points * scale);
-  config.OversampleH = config.OversampleV = 1;
-  config.PixelSnapH = true;
+  config.FontDataOwnedByAtlas = false;
+  config.PixelSnapH = height >= large;
+  config.OversampleH = config.PixelSnapH ? 1 : 2;
+  config.OversampleV = 1;
+  config.RasterizerMultiply = config.PixelSnapH ? 1.0F : more_light;
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
-  fonts.AddFontDefault(&config);
+  fonts.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()), height, &config,
+                             letters);
 }
 
 }  // namespace
@@ -64,7 +76,7 @@ void style_panel(float scale, bool fingers) {
   ImGui::StyleColorsDark(&style);
   set_colors(style.Colors);
   style.WindowPadding = {10.0F, 10.0F};
-  style.FramePadding = {6.0F, 3.0F};
+  style.FramePadding = {6.0F, 2.0F};
   style.ItemSpacing = {6.0F, 4.0F};
   style.ItemInnerSpacing = {4.0F, 4.0F};
   style.CellPadding = {6.0F, 4.0F};
@@ -80,12 +92,13 @@ void style_panel(float scale, bool fingers) {
   style.DisabledAlpha = 0.55F;
   if (fingers) style.ScrollbarSize = 6.0F;  // it only shows where one is: fingers scroll by the rows
   style.ScaleAllSizes(scale);
+  const float font = std::round((fingers ? finger_font : kFontSize) * scale);
   // Not before: scaling cuts to whole pixels.
-  if (fingers) style.FramePadding.y = std::ceil(0.5F * (finger_height * scale - std::round(finger_font * scale)));
+  if (fingers) style.FramePadding.y = std::ceil(0.5F * (finger_height * scale - font));
   // The session draws only what has changed: a tooltip that waits would never come.
   style.HoverDelayShort = style.HoverDelayNormal = style.HoverStationaryDelay = 0.0F;
   ImGui::GetStyle() = style;
-  set_font(fingers ? finger_font : font_size, scale);
+  set_font(font);
 }
 
 }  // namespace terrella

@@ -11,7 +11,6 @@
 namespace terrella {
 namespace {
 
-constexpr float default_font_size = 13.0F;
 constexpr float tooltip_width = 260.0F;                         // points
 constexpr float picture_width = 64.0F, picture_height = 36.0F;  // points
 constexpr float bar_inset = 4.0F;                               // points, so that both ends can be hit
@@ -64,7 +63,7 @@ void draw_corners(ImVec2 centre, float reach, unsigned color) {
 
 }  // namespace
 
-float points(float count) { return count * ImGui::GetFontSize() / default_font_size; }
+float points(float count) { return count * ImGui::GetFontSize() / kFontSize; }
 
 void bar(const char* id, double position, const std::string& text, float width) {
   const ImVec2 from = ImGui::GetCursorScreenPos();

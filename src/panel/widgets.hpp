@@ -6,6 +6,9 @@
 
 namespace terrella {
 
+// The height of a line of text, in points. For fingers it is larger, and all lengths in points with it.
+inline constexpr float kFontSize = 15.0F;
+
 // Pixels of a length in points.
 float points(float count);
 

@@ -84,9 +84,42 @@ TEST_F(PanelTest, MarksAreSeen) {
 }
 
 TEST_F(PanelTest, TheFontFitsTheScale) {
-  EXPECT_EQ(ImGui::GetIO().Fonts->ConfigData[0].SizePixels, 13.0F);
+  EXPECT_EQ(ImGui::GetIO().Fonts->ConfigData[0].SizePixels, 15.0F);
   style_panel(1.5F);
-  EXPECT_EQ(ImGui::GetIO().Fonts->ConfigData[0].SizePixels, 20.0F);
+  EXPECT_EQ(ImGui::GetIO().Fonts->ConfigData[0].SizePixels, 23.0F);
+}
+
+TEST_F(PanelTest, TheFontHasWhatIsWritten) {
+  const ImFont& font = *ImGui::GetIO().Fonts->Fonts[0];
+  for (ImWchar letter = 0x20; letter <= 0xff; ++letter) {
+    const bool is_control = letter >= 0x7f && letter <= 0x9f;
+    EXPECT_EQ(font.FindGlyphNoFallback(letter) == nullptr, is_control) << letter;
+  }
+  EXPECT_NE(font.FindGlyphNoFallback(0x2026), nullptr);  // of texts that were shortened
+}
+
+// While a value is dragged, its text does not tremble.
+TEST_F(PanelTest, FiguresAreOfOneWidth) {
+  const ImFont& font = *ImGui::GetIO().Fonts->Fonts[0];
+  for (ImWchar figure = '1'; figure <= '9'; ++figure) {
+    EXPECT_EQ(font.GetCharAdvance(figure), font.GetCharAdvance('0')) << figure;
+  }
+}
+
+TEST_F(PanelTest, RowsAreAsHighAsAHandNeeds) {
+  click("terrain", 0.3F);
+  const auto height = [&] { return place_of("terrain.height").bottom - place_of("terrain.height").top; };
+  EXPECT_EQ(height(), 19.0F);
+  style_panel(2.0F);
+  unsigned char* pixels = nullptr;
+  int columns = 0, rows = 0;
+  ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &columns, &rows);
+  frames(3);
+  EXPECT_EQ(height(), 38.0F);
+  style_panel(3.0F, true);
+  ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &columns, &rows);
+  frames(3);
+  EXPECT_GE(height(), 3.0F * 44.0F);
 }
 
 }  // namespace
