@@ -50,15 +50,14 @@ void set_colors(ImVec4* colors) {
 }
 
 // Small letters are finer than pixels: between these they lie where their gaps are even, and lit more, as what covers
-// half a pixel looks like less than half. Large ones are sharp only at whole pixels. The atlas keeps the bytes, not a
-// copy.
+// half a pixel looks like less than half. Large ones are sharp only at whole pixels.
 void set_font(float height) {
   constexpr float large = 30.0F;  // pixels
   constexpr float more_light = 1.3F;
   static constexpr ImWchar letters[] = {0x20, 0xff, 0x2026, 0x2026, 0};
   const std::span<const unsigned char> bytes = font_bytes();
   ImFontConfig config;
-  config.FontDataOwnedByAtlas = false;
+  config.FontDataOwnedByAtlas = false;  // it takes a copy
   config.PixelSnapH = height >= large;
   config.OversampleH = config.PixelSnapH ? 1 : 2;
   config.OversampleV = 1;
