@@ -12,7 +12,6 @@ constexpr KeyLine planet_lines[] = {
     {"Arrows, W A S D", "move over the ground"},
     {"Q and E", "turn left, right"},
     {"R and F, Page Up and Down", "look up, down"},
-    {"One finger, two fingers", "turn the planet; nearer, away, twist and look around"},
 };
 
 constexpr KeyLine scene_lines[] = {
@@ -42,11 +41,15 @@ constexpr KeyLine slider_lines[] = {
     {"Left and Right, Enter", "by keyboard: small steps, type the value"},
 };
 
+constexpr KeyLine finger_lines[] = {
+    {"One finger", "turn the planet, scroll the panel"},         {"Two fingers", "nearer, away, twist and look around"},
+    {"Draw along a slider, tap it", "change the value, set it"}, {"Tap a slider twice", "type the value"},
+    {"Hold a name", "what it is, and what it may be"},
+};
+
 constexpr KeyGroup groups_of_keys[] = {
-    {"On the planet", planet_lines},
-    {"The scene", scene_lines},
-    {"The panel", panel_lines},
-    {"On a slider", slider_lines},
+    {"On the planet", planet_lines}, {"The scene", scene_lines},        {"The panel", panel_lines},
+    {"On a slider", slider_lines},   {"By finger", finger_lines, true},
 };
 
 }  // namespace
@@ -54,7 +57,7 @@ constexpr KeyGroup groups_of_keys[] = {
 std::span<const KeyGroup> key_groups() { return groups_of_keys; }
 
 std::string keys_text() {
-  std::string text = "# Keys and mouse\n";
+  std::string text = "# Keys, mouse and fingers\n";
   for (const KeyGroup& group : key_groups()) {
     text += text_of("\n## ", group.title, "\n\n| hand | does |\n| --- | --- |\n");
     for (const KeyLine& line : group.lines) text += text_of("| ", line.keys, " | ", line.does, " |\n");

@@ -14,6 +14,7 @@ struct KeyLine {
 struct KeyGroup {
   std::string_view title;
   std::span<const KeyLine> lines;
+  bool of_fingers = false;
 };
 
 std::span<const KeyGroup> key_groups();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "panel/finger_scroll.hpp"
 #include "panel/keys.hpp"
 #include "panel/widgets.hpp"
 
@@ -35,7 +36,7 @@ void heading(Sheet& sheet) {
   const float side = ImGui::GetFrameHeight();
   const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Keys and mouse");
+  ImGui::TextUnformatted(by_finger() ? "Fingers" : "Keys and mouse");
   ImGui::SameLine(right - side, 0.0F);
   if (ImGui::Button("x", {side, 0.0F})) sheet.memory.keys_shown = false;
   sheet.place("keys/close");
@@ -59,7 +60,10 @@ void keys_window(Sheet& sheet) {
   if (!shown) return;
   if (begin_in_the_middle()) {
     heading(sheet);
-    for (const KeyGroup& group : key_groups()) lines_of(group);
+    // Who points by finger has no use for the others, and the other way round.
+    for (const KeyGroup& group : key_groups()) {
+      if (group.of_fingers == by_finger()) lines_of(group);
+    }
   }
   ImGui::End();
   if (!ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) shown = false;

@@ -186,7 +186,8 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
   if (differs) quiet_text(text_of("In the preset: ", text_of_value(parameter, sheet.preset->scene)));
   if (is_number(parameter)) quiet_text(text_of(allowed_values(parameter), '.'));
   if (sheet.locked(parameter)) quiet_text("Locked: Random leaves it as it is.");
-  const char* const by_hand = "Double click to type. The wheel goes in small steps; Ctrl is finer.";
+  const char* const by_hand =
+      by_finger() ? "Tap it twice to type." : "Double click to type. The wheel goes in small steps; Ctrl is finer.";
   const char* const by_key = "Enter to type. Left and Right go in small steps; Ctrl is finer.";
   if (has_slider(parameter)) quiet_text(keyboard_is_here() ? by_key : by_hand);
   end_side_tooltip();

@@ -20,7 +20,7 @@ struct Stop {
 };
 
 constexpr Stop stops[] = {
-    {"", "Drag the planet", "It turns as you drag. The wheel, or two fingers, bring you nearer."},
+    {"", "Drag the planet", "It turns as you drag. The wheel or two fingers bring you nearer."},
     {"preset", "Pick a preset", "Each world in this list is one to start from. Random draws another by chance."},
     {"terrain", "Move a slider", "Open a group, and drag what you want to change. Undo takes anything back."},
     {"copy_link", "Copy link", "The link holds the planet that you made, for a friend or for later."},
