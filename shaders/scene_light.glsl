@@ -79,9 +79,7 @@ vec3 skylight(LightAt at, vec3 normal) {
 vec3 sky_along(LightAt at, vec3 ray) {
   float level = 1.0 - max(dot(at.up, ray), 0.0);
   float seen = air_density * mix(0.22, 1.0, level * level * level);
-  vec3 sun = sun_direction.xyz;
-  vec3 glow = wide_glow(dot(ray, sun)) * sun_light.rgb * glow_of_sky(dot(at.up, sun), air_dusk_color.rgb);
-  return seen * (0.55 * at.air + ripple.z * glow);
+  return seen * (0.55 * at.air + wide_glow(dot(ray, sun_direction.xyz)) * sky_glow.rgb);
 }
 
 // The light of a surface as it arrives at the eye through the air before it. offset: from the eye to the surface.

@@ -119,9 +119,13 @@ vec3 turned_direction(uint h, vec2 turn) {
   mediump float square = dot(wanted, wanted);
   vec3 direction = inversesqrt(square) * wanted;
   bool exchanged = (h & 1u) != 0u;
-  vec3 tangent = perpendicular(exchanged ? vec3(direction.y, direction.x, direction.z) : direction);
+  float x = exchanged ? direction.y : direction.x;
+  float y = exchanged ? direction.x : direction.y;
+  vec3 tangent = perpendicular(vec3(x, y, direction.z));
   float to_side = (h & 2u) != 0u ? turn.y : -turn.y;
-  return turn.x * direction + to_side * (exchanged ? vec3(tangent.y, tangent.x, tangent.z) : tangent);
+  x = exchanged ? tangent.y : tangent.x;
+  y = exchanged ? tangent.x : tangent.y;
+  return turn.x * direction + to_side * vec3(x, y, tangent.z);
 }
 
 // The field with every gradient turned by an angle, given as its cosine and sine.

@@ -42,7 +42,7 @@ TEST(MilkyBand, GlowsInABeltWithoutAGap) {
       ASSERT_NEAR(bright, 0.0F, 1e-6F);
     }
   }
-  // Each edge of a triangle is another's as well, but for those of the two rims.
+  // Each edge of a triangle is another's as well, but for those where it ends, which nobody sees.
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   ASSERT_EQ(glow.indices.size() % 6, 0U);
   for (std::size_t i = 0; i < glow.indices.size(); ++i) {
@@ -53,7 +53,7 @@ TEST(MilkyBand, GlowsInABeltWithoutAGap) {
   }
   for (const auto& [edge, times] : uses) {
     const bool rim =
-        glm::length(glow.vertices[edge.first]) < 1.0F + 1e-6F && glm::length(glow.vertices[edge.second]) < 1.0F + 1e-6F;
+        glm::length(glow.vertices[edge.first]) < 1.004F && glm::length(glow.vertices[edge.second]) < 1.004F;
     ASSERT_TRUE(times == 2 || (times == 1 && rim));
   }
 }
