@@ -101,5 +101,41 @@ TEST(AirLight, IsDarkInTheNightAndTheAirsColorByDay) {
   EXPECT_GT(dusk.x / dusk.z, 2.0 * noon.x / noon.z);  // warmer
 }
 
+TEST(SkyPastAir, IsWholeOutsideAndFadesInTheOuterQuarter) {
+  const double top = 1.2;
+  const glm::dvec3 eye(3.0, 0.0, 0.0);
+  const auto shown = [&](double nearest) {
+    const double sine = nearest / eye.x;
+    return f64::sky_past_air(eye, glm::dvec3(-std::sqrt(1.0 - sine * sine), sine, 0.0), top);
+  };
+  EXPECT_EQ(shown(1.21), 1.0);
+  EXPECT_EQ(f64::sky_past_air(eye, glm::dvec3(1.0, 0.0, 0.0), top), 1.0);  // away from the planet
+  EXPECT_NEAR(shown(1.2 - 1e-9), 1.0, 1e-6);
+  EXPECT_NEAR(shown(1.175), 0.5, 1e-9);
+  for (double nearest = 1.0; nearest < 1.2; nearest += 0.01) EXPECT_LE(shown(nearest), shown(nearest + 0.01));
+  EXPECT_EQ(shown(1.149), 0.0);
+  EXPECT_EQ(shown(0.5), 0.0);
+}
+
+TEST(GlowOfSky, IsStrongestAndRedUnderALowSunAndNoneAtNight) {
+  const glm::dvec3 dusk = air().dusk;
+  const glm::dvec3 low = f64::glow_of_sky(0.05, dusk), high = f64::glow_of_sky(1.0, dusk);
+  EXPECT_EQ(f64::glow_of_sky(-0.3, dusk), glm::dvec3(0.0));
+  EXPECT_EQ(high, glm::dvec3(0.25));  // white: the sun itself
+  EXPECT_GT(low.r, 4.0 * high.r);
+  EXPECT_GT(low.r, 2.0 * low.b);
+  for (double climb = -1.0; climb < 1.0; climb += 0.01) {
+    const glm::dvec3 step = f64::glow_of_sky(climb + 0.01, dusk) - f64::glow_of_sky(climb, dusk);
+    EXPECT_LT(glm::length(step), 0.2) << climb;
+  }
+}
+
+TEST(WideGlow, IsHalfTowardsTheSunAndNoneBesideIt) {
+  EXPECT_EQ(f64::wide_glow(1.0), 0.5);
+  EXPECT_EQ(f64::wide_glow(0.0), 0.0);
+  EXPECT_EQ(f64::wide_glow(-1.0), 0.0);
+  EXPECT_NEAR(f64::wide_glow(0.8), 0.5 * std::pow(0.8, 6.0), 1e-12);
+}
+
 }  // namespace
 }  // namespace terrella
