@@ -297,6 +297,19 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('gives the search all that is typed after its key, however slow the frames are', async () => {
+    const page = await open('?pause=1&preset=moon', { viewport: { width: 800, height: 600 } });
+    const scene = await page.evaluate(() => JSON.stringify(terrella.scene()));
+    await page.keyboard.type('/sand w', { delay: 5 });  // S, A, D and W move the camera, N draws a planet, Space runs the clock
+    await settled(page);
+    assert.equal(await page.evaluate(() => JSON.stringify(terrella.scene())), scene);
+    await page.keyboard.press('Escape');
+    await page.keyboard.type('d');
+    await until(page, before => JSON.stringify(terrella.scene()) !== before, scene);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('takes what is pasted into the field that is typed in, else for a scene', async () => {
     const page = await open('?pause=1&preset=moon&quality.resolution_scale=0.25', { viewport: { width: 800, height: 600 } });
     const paste = text => page.evaluate(text => {
