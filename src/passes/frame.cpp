@@ -30,11 +30,11 @@ double shoal_of(const Frame& frame) {
 
 glm::dvec3 linear(const Color& color) { return {linear_light(color.r), linear_light(color.g), linear_light(color.b)}; }
 
-// Part of the sunlight that glows around the sun in the sky of the eye; none where that is outside of the air.
-glm::dvec3 glow_at_eye(const Frame& frame) {
+// Part of the sunlight that glows around the sun in the sky of the eye; none where that is outside of the air. sun:
+// unit.
+glm::dvec3 glow_at_eye(const Frame& frame, const glm::dvec3& sun) {
   const double distance = glm::length(frame.pose.eye), top = frame.scene.air.height / frame.scene.planet.radius;
   const double within = 1.0 - glm::smoothstep(0.7 * top, top, distance - 1.0);
-  const glm::dvec3 sun = direction_of(frame.scene.sun.latitude, frame.scene.sun.longitude);
   return within * f64::glow_of_sky(glm::dot(frame.pose.eye / distance, sun), linear(frame.scene.air.dusk_color));
 }
 
@@ -82,8 +82,8 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.ray_forward = vector(pose.forward - shift.x * right - shift.y * up, pose.pixel_angle);
   block.ray_right = vector(right);
   block.ray_up = vector(up);
-  block.sun_direction =
-      vector(direction_of(scene.sun.latitude, scene.sun.longitude), std::exp2(scene.picture.exposure));
+  const glm::dvec3 sun = direction_of(scene.sun.latitude, scene.sun.longitude);
+  block.sun_direction = vector(sun, std::exp2(scene.picture.exposure));
   const glm::dvec3 sunlight = linear(scene.sun.color) * (scene.sun.intensity * ring_shade_around(scene, pose.eye));
   block.sun_light = vector(sunlight);
   block.ground_map_scale = glm::vec4(maps.ground_texel, needs.pixel_octaves_first, needs.pixel_octaves_end,
@@ -102,7 +102,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   const double snow_sine = f64::polar_sine(scene.terrain.snow_latitude);
   const double ice_sine = has_ice(scene) ? f64::polar_sine(scene.water.ice_latitude) - 0.1 : snow_sine;
   block.levels = glm::vec4(std::min(snow_sine, ice_sine), needs.water_lift, maps.ground_level, 0.0);
-  block.sky_glow = needs.air == Air::none ? glm::vec4(0.0F) : vector(sunlight * glow_at_eye(frame));
+  block.sky_glow = needs.air == Air::none ? glm::vec4(0.0F) : vector(sunlight * glow_at_eye(frame, sun));
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

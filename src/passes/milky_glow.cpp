@@ -14,6 +14,8 @@ void MilkyGlow::set(const Scene& scene) {
   glow_ = find_band_glow(scene);
   chosen_.clear();
   mesh_.reset();
+  directions_.clear();
+  for (const glm::vec3& vertex : glow_.vertices) directions_.push_back(glm::normalize(vertex));
   if (!glow_.vertices.empty()) mesh_.emplace(glow_.vertices);
 }
 
@@ -21,8 +23,7 @@ std::vector<std::size_t> MilkyGlow::choose(const Frame& frame) const {
   const SkyView view(frame);
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < glow_.indices.size(); i += 6) {
-    const glm::vec3 from = glm::normalize(glow_.vertices[glow_.indices[i]]);
-    const glm::vec3 to = glm::normalize(glow_.vertices[glow_.indices[i + 5]]);
+    const glm::vec3 &from = directions_[glow_.indices[i]], &to = directions_[glow_.indices[i + 5]];
     if (view.within_picture(from) && !(view.behind_planet(from) && view.behind_planet(to))) shown.push_back(i);
   }
   return shown;

@@ -27,8 +27,9 @@ class MilkyGlow {
 
   gl::LateProgram program_{"stars/glow"};
   BandGlow glow_;
-  std::vector<std::size_t> chosen_;  // whose indices are on the GPU
-  std::optional<gl::Mesh> mesh_;     // none where there is no band
+  std::vector<glm::vec3> directions_;  // of its vertices, unit
+  std::vector<std::size_t> chosen_;    // whose indices are on the GPU
+  std::optional<gl::Mesh> mesh_;       // none where there is no band
 };
 
 }  // namespace terrella

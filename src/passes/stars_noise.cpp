@@ -3,6 +3,7 @@
 #include "passes/sky_view.hpp"
 
 namespace terrella {
+
 void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Key key = {frame.scene.stars.density, frame.scene.stars.band, frame.scene.stars.seed};

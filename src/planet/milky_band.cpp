@@ -105,11 +105,12 @@ BandGlow find_band_glow(const Scene& scene) {
     }
   }
   glow.noise_evaluations = Band::noise_each * static_cast<std::int64_t>(glow.vertices.size());
+  // Nobody would see it.
+  const auto dark = [&](std::uint32_t vertex) { return glm::length(glow.vertices[vertex]) < 1.004F; };
   for (int column = 0; column < columns; ++column) {
     for (int row = 0; row < rows; ++row) {
       const auto a = static_cast<std::uint32_t>(column * (rows + 1) + row);
       const auto b = static_cast<std::uint32_t>((column + 1) % columns * (rows + 1) + row);
-      const auto dark = [&](std::uint32_t vertex) { return glm::length(glow.vertices[vertex]) < 1.004F; };
       if (dark(a) && dark(b) && dark(a + 1) && dark(b + 1)) continue;
       glow.indices.insert(glow.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
     }

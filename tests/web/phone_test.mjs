@@ -14,9 +14,9 @@ const handle = [195, 815];
 async function fingersOn(page) {
   const session = await page.context().newCDPSession(page);
   const send = (type, places) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+  const twoApart = ([x, y], d) => [[x - d, y], [x + 90 + d, y]];
   return {
     down: (...places) => send('touchStart', places),
-    move: (...places) => send('touchMove', places),
     up: () => send('touchEnd', []),
     // As long as people do. page.touchscreen.tap is over before the next frame.
     async tap(place) {
@@ -24,6 +24,13 @@ async function fingersOn(page) {
       await sleep(120);
       await send('touchEnd', []);
       await sleep(120);
+    },
+    // Two fingers, the second a moment after the first, move apart.
+    async spread(place) {
+      await send('touchStart', [place]);
+      await send('touchStart', twoApart(place, 0));
+      for (let d = 10; d <= 60; d += 10) await send('touchMove', twoApart(place, d));
+      await send('touchEnd', []);
     },
     async draw([x, y], [toX, toY]) {
       await send('touchStart', [[x, y]]);
@@ -156,16 +163,10 @@ describe('the page on a phone', () => {
     await fingers.tap(handle);
     await settled(page);
     const start = await camera(page);
-    await fingers.down([150, 700]);
-    await fingers.down([150, 700], [240, 700]);
-    for (let d = 0; d <= 60; d += 10) await fingers.move([150 - d, 700], [240 + d, 690]);
-    await fingers.up();
+    await fingers.spread([150, 700]);
     await settled(page);
     assert.equal(await camera(page), start);
-    await fingers.down([150, 200]);
-    await fingers.down([150, 200], [240, 200]);
-    for (let d = 0; d <= 60; d += 10) await fingers.move([150 - d, 200], [240 + d, 190]);
-    await fingers.up();
+    await fingers.spread([150, 200]);
     await settled(page);
     assert.notEqual(await camera(page), start);
     await page.context().close();
@@ -186,9 +187,7 @@ describe('the page on a phone', () => {
     await fingers.draw([195, 60], [195, 700]);
     await page.touchscreen.tap(195, 400);
     await page.touchscreen.tap(195, 400);
-    await fingers.down([150, 400], [240, 400]);
-    for (let d = 0; d <= 60; d += 10) await fingers.move([150 - d, 400], [240 + d, 400]);
-    await fingers.up();
+    await fingers.spread([150, 400]);
     await until(page, () => terrella.get('camera.altitude') < 1);
     const page_is = await page.evaluate(() => [visualViewport.scale, scrollY, getSelection().toString(),
       getComputedStyle(document.documentElement).overscrollBehaviorY, getComputedStyle(document.body).touchAction]);
