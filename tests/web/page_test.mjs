@@ -304,6 +304,7 @@ describe('the page', () => {
     await settled(page);
     assert.equal(await page.evaluate(() => JSON.stringify(terrella.scene())), scene);
     await page.keyboard.press('Escape');
+    await settled(page);  // the field gives the keys back with a frame
     await page.keyboard.type('d');
     await until(page, before => JSON.stringify(terrella.scene()) !== before, scene);
     assert.deepEqual(page.wrong, []);
