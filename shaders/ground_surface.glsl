@@ -1,5 +1,5 @@
 // The surface of the ground where a mesh carries it: what its ways of finding normals have in common.
-#include "ground_light.glsl"
+#include "ground_map.glsl"
 #include "output.glsl"
 
 in vec3 surface_from_eye;
@@ -12,10 +12,11 @@ void emit_ground(GroundAt ground, float grain) {
   float radius = length(place);
   vec3 up = place / radius;
   vec3 normal = slope_normal(up, radius, ground.gradient);
-  vec3 albedo = ground_albedo(up, ground, normal) * (1.0 + 0.35 * grain);
+  vec3 albedo = grained(ground_albedo(up, ground, normal, scene_bands()), grain);
   // Just under water the light has come through some of it; further down the water hides the ground.
   albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * ground.height);
-  LightAt at = light_at(up, radius - 1.0);
-  vec3 light = through_air(ground_light(albedo, normal, at, cloud_shade(place)), at, surface_from_eye);
-  emit_surface(light, surface_from_eye, normal, radius - 1.0);
+  SceneLight scene = scene_light();
+  LightAt at = light_at(up, radius - 1.0, scene);
+  vec3 light = ground_light(albedo, normal, at, shade_of_clouds(place), scene);
+  emit_surface(through_air(light, at, surface_from_eye, scene), surface_from_eye, normal, radius - 1.0);
 }

@@ -1,10 +1,8 @@
-// A small light: a soft disc, smooth at any place between pixels.
+// A small light.
 #include "output.glsl"
+#include "lib/stars.glsl"
 
 in vec3 square_light;
 in vec2 square_place;
 
-void main() {
-  float r2 = dot(square_place, square_place);
-  emit_veil(square_light * max(exp(-1.8 * r2) - exp(-1.8 * 4.0), 0.0), 0.0);
-}
+void main() { emit_veil(square_light * soft_disc(dot(square_place, square_place)), 0.0); }

@@ -12,9 +12,8 @@ out vec4 fragment;
 
 void main() {
   vec3 direction = normalize(cube_direction);
-  float belt = clouds_belts * cloud_belt(direction.z);
   vec3 wound = direction;
-  for (int i = 0; i < cyclones; ++i) wound = unwound(wound, cyclone[i], 3.0 * clouds_swirl);
+  for (int i = 0; i < cyclones; ++i) wound = unwound(wound, cyclone[i], cyclone_turn(clouds_swirl));
   uint seed = cloud_seed(planet_seed);
   vec3 warp = vec3(0.0);
   float frequency = clouds_frequency;
@@ -32,5 +31,6 @@ void main() {
     amplitude *= clouds_persistence;
   }
   // Every channel: the caller masks the one that is meant.
-  fragment = vec4(noise_to_map(sum / amplitude_sum(clouds_persistence, clouds_octaves) + 0.22 * belt));
+  float total = amplitude_sum(clouds_persistence, clouds_octaves);
+  fragment = vec4(noise_to_map(cloud_noise_of(sum, total, clouds_belts, direction.z)));
 }

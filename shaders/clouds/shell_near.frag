@@ -9,8 +9,8 @@ void main() {
   CloudAt cloud = cloud_of_map();
   float footprint = pixel_footprint(cloud.up, surface_from_eye, 0.12);
   float enters = 1.0 - smoothstep(0.18, 0.25, footprint / layers.z);
-  vec3 place = drifted(cloud.up);
-  vec3 sunward = drifted(cloud.toward);
+  vec3 place = drifted(cloud.up, cloud_turn.xy);
+  vec3 sunward = drifted(cloud.toward, cloud_turn.xy);
   uint seed = cloud_seed(planet_seed);
   float frequency = clouds_frequency * exp2(layers.x);
   float amplitude = enters * pow(clouds_persistence, layers.x) / amplitude_sum(clouds_persistence, clouds_octaves);

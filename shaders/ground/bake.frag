@@ -1,4 +1,4 @@
-// Fills a face of the map of the ground; ground_light.glsl says what it holds.
+// Fills a face of the map of the ground; ground_map.glsl says what it holds.
 #include "scene_block.glsl"
 #include "lib/heights.glsl"
 

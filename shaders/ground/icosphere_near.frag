@@ -50,8 +50,8 @@ FineLayers fine_layers(vec3 offset, float level_footprint) {
 
 // The gradient of the height from that of the sum of layers, at a place of known height over the sphere.
 vec3 shaped(vec3 gradient, float height) {
-  float h = pow(clamp(height / max(terrain_height, 1.0e-9), 1.0e-6, 0.999), 1.0 / max(terrain_power, 0.05));
-  return gradient * height_power_slope(h, terrain_height, terrain_power) / amplitude_sum(terrain_persistence, terrain_octaves);
+  float slope = height_power_slope_at(height, terrain_height, terrain_power);
+  return gradient * slope / amplitude_sum(terrain_persistence, terrain_octaves);
 }
 
 void main() {

@@ -27,6 +27,16 @@ vec3 unwound(vec3 direction, vec4 cyclone, float turn) {
   return direction + share * t * cross(eye, direction) + share * t * t * (along * eye - direction);
 }
 
+// How far the eye of a cyclone has turned, as unwound takes it. swirl: 0..1.
+float cyclone_turn(float swirl) {
+  return 3.0 * swirl;
+}
+
+// A direction as the clouds have it, which drift around the planet. turn: cosine and sine of the way that they have come.
+vec3 drifted(vec3 direction, vec2 turn) {
+  return vec3(turn.x * direction.x + turn.y * direction.y, turn.x * direction.y - turn.y * direction.x, direction.z);
+}
+
 // Cyclones wind up so many of the coarsest layers. Finer ones, which are puffs and not weather, would only be smeared.
 const int wound_layers = 2;
 
@@ -40,6 +50,12 @@ uint cloud_seed(int seed) {
 float cloud_belt(float sine) {
   float c = 1.0 - 2.0 * sine * sine;
   return c * (4.0 * c * c - 3.0);
+}
+
+// The noise that clouds are made from, about -1..1, from the sum of its layers. total: of their amplitudes; belts: how
+// strongly they keep to belts; sine: of the latitude.
+float cloud_noise_of(float sum, float total, float belts, float sine) {
+  return sum / total + 0.22 * belts * cloud_belt(sine);
 }
 
 // Where a layer is asked for its noise, in its cells: the gradients of those before it (warp) stir it.

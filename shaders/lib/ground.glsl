@@ -1,4 +1,6 @@
-// The colour of the ground: bands by height as in Sandahl 2022 (section 2.1), and, beyond it, slope and latitude.
+// The ground as it is seen: its colour by bands of height as in Sandahl 2022 (section 2.1), and, beyond it, slope and
+// latitude; and the light that it sends on.
+#include "lib/light.glsl"
 
 struct Bands {
   vec3 sand, land, mountain, snow, seabed, sea;  // linear colours; sea: deep water
@@ -7,6 +9,14 @@ struct Bands {
   float slope_rock;     // 0..1
   float thinning;       // 0..1
   float snow_sine;      // sine of the latitude from which snow lies at the water's edge; above 1: nowhere
+  float hollows;        // how much darker hollows are, 0..1
+};
+
+// The ground at a place.
+struct GroundAt {
+  vec3 gradient;   // of the height over the unit sphere, along the sphere
+  float openness;  // 0..1, of Height in lib/heights.glsl
+  float height;    // over the water, radii
 };
 
 // A step at edge that takes softness times scale to rise.
@@ -35,4 +45,23 @@ vec3 ground_color(float height, float steepness, float sine, float variation, Ba
   float snow = band(snowline, max(b.snow_height, 1.0e-6), 0.6 * b.softness, x) * step(-1.0e-3 * scale, height);
   float clings = 1.0 - 0.8 * b.slope_rock * smoothstep(0.16, 0.5, steepness);
   return mix(color, b.snow, snow * clings);
+}
+
+// Colour of the ground without light, darker in hollows. up: unit; normal: of the ground.
+vec3 ground_albedo(vec3 up, GroundAt ground, vec3 normal, Bands bands) {
+  // The gradient's share along a fixed axis changes its sign from place to place: enough to break up lines.
+  float variation = clamp(dot(ground.gradient, vec3(0.61, -0.52, 0.60)) * 0.8, -1.0, 1.0);
+  vec3 color = ground_color(ground.height, 1.0 - dot(up, normal), up.z, variation, bands);
+  return color * mix(1.0, 0.5 + 0.8 * ground.openness, bands.hollows);
+}
+
+// What noise finer than the map of the ground, -1..1, makes of its colour.
+vec3 grained(vec3 albedo, float grain) {
+  return albedo * (1.0 + 0.35 * grain);
+}
+
+// Light that the ground sends on. shade: part of the sunlight left by the clouds.
+vec3 ground_light(vec3 albedo, vec3 normal, LightAt at, float shade, SceneLight scene) {
+  float cosine = max(dot(normal, scene.sun), 0.0);
+  return albedo * (at.sun * (cosine * shade) + skylight(at, normal, scene) * mix(0.7, 1.0, shade)) * 0.6;
 }

@@ -54,6 +54,11 @@ float height_power_slope(float h, float height, float p) {
   return height * p * pow(max(h, 1.0e-3), p - 1.0);
 }
 
+// The same where the power has already been taken: at a height over the sphere. height: of the highest, p: as above.
+float height_power_slope_at(float value, float height, float p) {
+  return height_power_slope(pow(clamp(value / max(height, 1.0e-9), 1.0e-6, 0.999), 1.0 / max(p, 0.05)), height, p);
+}
+
 // One layer from a noise value: (1 + n)/2 as in (1), or the ridge 1 - |n| as in (4).
 float layer_value(float n, bool ridged, float sharpness) {
   return ridged ? 1.0 - smooth_abs(n, sharpness) : 0.5 + 0.5 * n;

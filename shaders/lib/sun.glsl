@@ -12,3 +12,13 @@ float glare_of_sun(float away, float radius, float reach) {
   float end = max(1.0 - away / reach, 0.0);
   return end * end / (1.0 + 0.5 * x * x);
 }
+
+// Light of the sun's disc as a multiple of that which falls on the planet: so bright that every tone curve makes it white,
+// and far from what half floats can hold.
+const float disc_brightness = 60.0;
+
+// Light of the middle of the glare, in the same measure.
+const float glare_brightness = 2.5;
+
+// Tangent of the angle from the sun's middle at which its glare ends.
+const float glare_reach = 0.5;

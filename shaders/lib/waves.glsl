@@ -1,6 +1,7 @@
 // Trochoidal waves on a sphere (Sandahl 2022, equations 14 to 16; Michelic 2018, 7 to 11), in planet radii, on the unit
 // sphere. Directions are unit tangents, which the printed (15) is not, and the normal is exact, which (16) is not.
 #include "lib/angles.glsl"
+#include "lib/tangent.glsl"
 
 struct Wave {
   vec3 origin;       // unit vector to the place that the wave comes from
@@ -15,6 +16,19 @@ struct Frame {
   vec3 east;
   vec3 north;
 };
+
+// Any tangent frame does; this one has no pole.
+Frame frame_at(vec3 v) {
+  Frame f;
+  f.east = perpendicular(v);
+  f.north = cross(v, f.east);
+  return f;
+}
+
+// How much of a wave samples a footprint (rad) apart can show, 0..1: all of it from four a wavelength on, none below two.
+float wave_weight(float wavenumber, float footprint) {
+  return 1.0 - smoothstep(0.25, 0.5, wavenumber / 6.283185307179586 * footprint);
+}
 
 // The sum of waves at a place, told in its frame; slopes and stretches are per radian of arc.
 struct WaveSum {
@@ -78,6 +92,13 @@ WaveSum attenuate(WaveSum sum, float factor, vec2 factor_slope) {
   s.stretch_ne = factor * sum.stretch_ne + sum.shift.y * factor_slope.x;
   s.stretch_nn = factor * sum.stretch_nn + sum.shift.y * factor_slope.y;
   return s;
+}
+
+// Water that grows shallow holds its waves back, down to none where land begins. depth: of the still water; whole_depth:
+// at which they are whole, radii, > 0; ground_slope: of the ground's height along east and north.
+WaveSum held_by_ground(WaveSum sum, float depth, vec2 ground_slope, float whole_depth) {
+  float x = clamp(depth / whole_depth, 0.0, 1.0);
+  return attenuate(sum, x * x * (3.0 - 2.0 * x), -6.0 * x * (1.0 - x) / whole_depth * ground_slope);
 }
 
 // Where the water of v has gone: the offset from a still sea of the given radius (14).

@@ -1,5 +1,6 @@
 // Stars as small squares at infinity: points are drawn a little differently by each kind of OpenGL.
-#include "sky_light.glsl"
+#include "light_block.glsl"
+#include "lib/stars.glsl"
 #include "square_corner.glsl"
 
 layout(location = 0) in vec4 star;   // xyz: direction; w: brightness
@@ -13,10 +14,9 @@ out vec2 square_place;  // in radii of the star
 void main() {
   vec4 place = clip_from_eye * vec4(star.xyz, 0.0);
   // A dim star is not smaller than a pixel, but dimmer: it does not twinkle as it moves over the pixels.
-  float star_radius = stars_size * (0.8 + 0.8 * star.w);
-  square_light = color.rgb * stars_brightness * (0.10 + 2.2 * star.w) * sky_shown(star.xyz);
+  square_light = star_light(color.rgb, star.w, stars_brightness) * sky_shown(star.xyz, scene_light());
   vec2 corner = square_corner();
   square_place = 2.0 * corner;
-  place.xy += corner * 4.0 * star_radius / picture_size * place.w;
+  place.xy += corner * 4.0 * star_radius(stars_size, star.w) / picture_size * place.w;
   gl_Position = vec4(place.xy, place.w, place.w);  // at the far plane
 }

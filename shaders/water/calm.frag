@@ -2,11 +2,7 @@
 #include "calm_water.glsl"
 
 void main() {
-  vec3 up = water_direction();
-  Ripples r;
-  r.gradient = vec3(0.0);
-  r.rough = unseen_roughness(first_ripple, 0.0) + unseen_roughness(next_ripple * first_ripple, 0.0);
-  r.wash = 0.0;
-  r.crust = water_crust;
-  emit_calm_water(r, up);
+  Ripples r = no_ripples(water_ripple_frequency, vec2(1.0, 0.0));
+  for (int i = 0; i < told_ripples; ++i) r = next_layer(roughened(r, water_ripples, 0.0));
+  emit_calm_water(r, water_crust, water_direction());
 }

@@ -11,7 +11,7 @@ out vec3 surface_from_eye;
 void main() {
   still_direction = direction;
   Frame frame = frame_at(direction);
-  WaveSum sum = held_by_ground(waves_at(direction, frame, ripple.y), textureLod(ground_map, direction, 0.0), frame);
+  WaveSum sum = waves_at(direction, frame, ripple.y, textureLod(ground_map, direction, 0.0));
   surface_from_eye = from_eye(direction * (sea.x + levels.y) + wave_offset(direction, frame, sum));
   gl_Position = clip_from_eye * vec4(surface_from_eye, 1.0);
 }

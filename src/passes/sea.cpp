@@ -17,9 +17,9 @@ struct WaveBlock {
 WaveBlock wave_block(const Sea& sea) {
   WaveBlock block{};
   for (std::size_t i = 0; i < sea.waves.size(); ++i) {
-    const f32::Wave& wave = sea.waves[i];
-    block.origin.at(i) = glm::vec4(wave.origin, wave.amplitude);
-    block.motion.at(i) = glm::vec4(wave.wavenumber, wave.phase, wave.pinch, 0.0F);
+    const f64::Wave& wave = sea.waves[i];
+    block.origin.at(i) = glm::vec4(glm::dvec4(wave.origin, wave.amplitude));
+    block.motion.at(i) = glm::vec4(wave.wavenumber, wave.phase, wave.pinch, 0.0);
   }
   return block;
 }

@@ -5,15 +5,11 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "formulas/formulas.hpp"
 #include "planet/sun.hpp"
 
 namespace terrella {
 namespace {
-
-// Light of the disc as a multiple of that which falls on the planet: so bright that every tone curve makes it white,
-// and far from what half floats can hold.
-constexpr double disc_brightness = 60.0;
-constexpr double glare_brightness = 2.5;
 
 double apparent_radius(const Scene& scene) { return std::tan(0.5 * glm::radians(scene.sun.size)); }
 
@@ -21,13 +17,13 @@ double apparent_radius(const Scene& scene) { return std::tan(0.5 * glm::radians(
 
 void SunDisc::draw_disc(const Frame& frame) {
   const double radius = apparent_radius(frame.scene);
-  if (radius > 0.0) draw(frame, radius + 2.0 * frame.pose.pixel_angle, disc_brightness, 0.0);
+  if (radius > 0.0) draw(frame, radius + 2.0 * frame.pose.pixel_angle, f64::disc_brightness, 0.0);
 }
 
 void SunDisc::draw_glare(const Frame& frame) {
   const double free = free_part_of_sun(frame.scene, frame.pose, solid_radius(frame.needs));
   const double glare = free * frame.scene.sun.glare;
-  if (glare > 0.0) draw(frame, glare_reach, 0.0, glare_brightness * glare);
+  if (glare > 0.0) draw(frame, f64::glare_reach, 0.0, f64::glare_brightness * glare);
 }
 
 void SunDisc::draw(const Frame& frame, double reach, double disc, double glare) {

@@ -9,6 +9,7 @@
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
+#include "planet/materials.hpp"
 #include "planet/octaves.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
@@ -148,8 +149,7 @@ double blend_turn(double persistence, int octaves) {
 
 void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& clouds = scene.clouds;
-  const bool seen = clouds.model != model_none && clouds.coverage > 0.0 && clouds.density > 0.0 && clouds.octaves > 0;
-  if (!seen) {
+  if (!has_clouds(scene)) {
     return decide.add("clouds", name_of(needs.clouds),
                       clouds.model == model_none ? "clouds.model asks for none"
                                                  : "coverage, density or octaves is 0: there is nothing to see");
@@ -214,13 +214,13 @@ void decide_rings(Needs& needs, const Scene& scene, Decisions& decide) {
 }
 
 void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
-  const bool air = scene.air.model != model_none && scene.air.density > 0.0 && scene.air.height > 0.0;
+  const bool air = has_air(scene);
   needs.air = air ? Air::fresnel : Air::none;
   decide.add("air", name_of(needs.air),
              air                             ? "the only model of air in this version"
              : scene.air.model == model_none ? "air.model asks for none"
                                              : "density or height is 0: there is nothing to see");
-  const bool stars = scene.stars.model != model_none && scene.stars.density > 0.0 && scene.stars.brightness > 0.0;
+  const bool stars = has_stars(scene);
   needs.stars = stars ? Stars::noise : Stars::none;
   decide.add("stars", name_of(needs.stars),
              stars                             ? "found once and drawn as points"

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "formulas/formulas.hpp"
+
 namespace terrella {
 namespace {
 
@@ -28,7 +30,7 @@ double free_part_of_sun(const Scene& scene, const Pose& pose, double solid) {
 }
 
 bool sun_in_picture(const Scene& scene, const View& view, const Pose& pose, bool with_glare) {
-  const double reach = with_glare ? std::atan(glare_reach) : 0.0;
+  const double reach = with_glare ? std::atan(f64::glare_reach) : 0.0;
   const double around = std::max(reach, 0.5 * glm::radians(scene.sun.size));
   return angle_between(pose.forward, sun_of(scene)) < picture_half_angle(pose, view) + around;
 }

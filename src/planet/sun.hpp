@@ -5,9 +5,6 @@
 
 namespace terrella {
 
-// Tangent of the angle from the sun's middle at which its glare ends.
-inline constexpr double glare_reach = 0.5;
-
 // Part of the sun's disc that the solid planet leaves free, 0..1: 1 in front of it and beside it. solid: radius of what
 // hides it, planet radii, 0: nothing does.
 double free_part_of_sun(const Scene& scene, const Pose& pose, double solid);

@@ -9,27 +9,38 @@
 
 namespace terrella {
 
-f32::Terrain terrain_of(const Scene& scene) {
+namespace {
+
+// Terrain: f32::Terrain or f64::Terrain, whose numbers are Reals.
+template <class Terrain, class Real>
+Terrain made_terrain(const Scene& scene) {
   const auto& from = scene.terrain;
-  f32::Terrain terrain;
-  terrain.height = static_cast<float>(from.height / scene.planet.radius);
-  terrain.frequency = static_cast<float>(from.frequency);
+  const auto seed = static_cast<unsigned>(scene.planet.seed);
+  Terrain terrain;
+  terrain.height = static_cast<Real>(from.height / scene.planet.radius);
+  terrain.frequency = static_cast<Real>(from.frequency);
   terrain.octaves = from.octaves;
-  terrain.persistence = static_cast<float>(from.persistence);
-  terrain.lacunarity = static_cast<float>(from.lacunarity);
-  terrain.power = static_cast<float>(from.power);
+  terrain.persistence = static_cast<Real>(from.persistence);
+  terrain.lacunarity = static_cast<Real>(from.lacunarity);
+  terrain.power = static_cast<Real>(from.power);
   terrain.ridged = from.ridged;
-  terrain.sharpness = static_cast<float>(from.ridge_sharpness);
-  terrain.seed = static_cast<unsigned>(scene.planet.seed);
-  terrain.craters.depth = static_cast<float>(from.craters);
-  terrain.craters.frequency = static_cast<float>(from.crater_frequency);
+  terrain.sharpness = static_cast<Real>(from.ridge_sharpness);
+  terrain.seed = seed;
+  terrain.craters.depth = static_cast<Real>(from.craters);
+  terrain.craters.frequency = static_cast<Real>(from.crater_frequency);
   terrain.craters.sizes = from.crater_sizes;
-  terrain.craters.seed = static_cast<unsigned>(scene.planet.seed);
-  terrain.ice.sea = static_cast<float>(water_level(scene) / scene.planet.radius);
-  terrain.ice.sine = static_cast<float>(f64::polar_sine(scene.water.ice_latitude));
-  terrain.ice.seed = static_cast<unsigned>(scene.planet.seed);
+  terrain.craters.seed = seed;
+  terrain.ice.sea = static_cast<Real>(water_level(scene) / scene.planet.radius);
+  terrain.ice.sine = static_cast<Real>(f64::polar_sine(scene.water.ice_latitude));
+  terrain.ice.seed = seed;
   return terrain;
 }
+
+}  // namespace
+
+f64::Terrain exact_terrain_of(const Scene& scene) { return made_terrain<f64::Terrain, double>(scene); }
+
+f32::Terrain terrain_of(const Scene& scene) { return made_terrain<f32::Terrain, float>(scene); }
 
 int noise_per_height(const Scene& scene, double footprint) {
   const auto& terrain = scene.terrain;

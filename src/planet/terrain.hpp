@@ -11,6 +11,7 @@
 namespace terrella {
 
 // The parameters of the height function, in planet radii.
+f64::Terrain exact_terrain_of(const Scene& scene);
 f32::Terrain terrain_of(const Scene& scene);
 
 // Work of one height among samples a footprint (rad) apart, in evaluations of noise, at least 1. A size of craters

@@ -49,27 +49,27 @@ Sea make_sea(const Scene& scene, double seconds) {
     const double start = turn * uniform(random);
     const double wavenumber = turn / length;
     const double speed = longest_speed * std::sqrt(length / longest);
-    f32::Wave wave;
+    f64::Wave wave;
     wave.origin = origin;
-    wave.amplitude = static_cast<float>(length / longest);
-    wave.wavenumber = static_cast<float>(wavenumber);
+    wave.amplitude = length / longest;
+    wave.wavenumber = wavenumber;
     // Crests run away from the origin: the phase falls with time.
-    wave.phase = static_cast<float>(std::remainder(start - std::fmod(wavenumber * speed * seconds, turn), turn));
-    wave.pinch = 0.0F;
+    wave.phase = std::remainder(start - std::fmod(wavenumber * speed * seconds, turn), turn);
+    wave.pinch = 0.0;
     sea.waves.push_back(wave);
     squares += std::pow(length / longest, 2);
   }
 
   const double scale = from.amplitude / radius / std::sqrt(squares);
-  for (f32::Wave& wave : sea.waves) {
-    wave.amplitude = static_cast<float>(double{wave.amplitude} * scale);
-    amplitude_sum += double{wave.amplitude};
-    slope_sum += double{wave.amplitude} * double{wave.wavenumber};
+  for (f64::Wave& wave : sea.waves) {
+    wave.amplitude *= scale;
+    amplitude_sum += wave.amplitude;
+    slope_sum += wave.amplitude * wave.wavenumber;
   }
   sea.steepness = std::min(from.steepness, most_pinch / std::max(slope_sum, 1e-12));
   sea.held = sea.steepness < from.steepness;
   sea.highest = amplitude_sum;
-  for (f32::Wave& wave : sea.waves) wave.pinch = static_cast<float>(sea.steepness) * wave.amplitude;
+  for (f64::Wave& wave : sea.waves) wave.pinch = sea.steepness * wave.amplitude;
   return sea;
 }
 

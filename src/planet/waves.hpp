@@ -9,7 +9,7 @@
 namespace terrella {
 
 struct Sea {
-  std::vector<f32::Wave> waves;  // longest first
+  std::vector<f64::Wave> waves;  // longest first
   double steepness = 0.0;        // as drawn
   bool held = false;             // true where the asked steepness would fold the surface over
   double highest = 0.0;          // no crest rises higher than this over the still sea, planet radii

@@ -27,8 +27,9 @@ double planet_pixels(const View& view, const Pose& pose) {
 }
 
 // Without water, heights count from the sphere.
-Scene scene_as_drawn(Scene scene) {
+Scene scene_as_drawn(Scene scene, const Needs& needs) {
   scene.water.level = water_level(scene);
+  if (needs.air == Air::none) scene.air.density = 0.0;
   return scene;
 }
 
@@ -109,7 +110,7 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   planet_box_ = box_of_sphere(pose_, view, outermost_radius(scene));
 
   gl::begin_frame();
-  scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene)));
+  scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
   update_slots(frame);
   set_maps(frame);
   begin_light(view, shot);

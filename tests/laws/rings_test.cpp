@@ -48,7 +48,12 @@ TEST(RingOpacity, GrowsWithMatterAndWithTheWayThroughIt) {
 
 TEST(RingShade, FallsOnlyWhereTheWayToTheSunCrossesTheRings) {
   const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 0.0, 0.5));
-  const auto shade = [&](const glm::dvec3& place) { return f64::ring_shade(place, sun, 1.5, 2.5, 1.0, fine, 3); };
+  f64::Rings rings;
+  rings.inner = 1.5;
+  rings.outer = 2.5;
+  rings.density = 1.0;
+  rings.seed = 3U;
+  const auto shade = [&](const glm::dvec3& place) { return f64::ring_shade(place, sun, rings, fine); };
   EXPECT_EQ(shade(glm::normalize(glm::dvec3(1.0, 0.0, 0.1))), 1.0);  // on the sun's side of them
   EXPECT_EQ(shade({1.0, 0.0, 0.0}), 1.0);
   EXPECT_EQ(shade({0.8, 0.0, -0.2}), 1.0);  // crosses at 1.2, within them

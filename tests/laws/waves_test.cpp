@@ -25,13 +25,6 @@ std::vector<f64::Wave> sea(int count, double steepness, unsigned seed) {
   return waves;
 }
 
-f64::Frame frame_at(const glm::dvec3& v) {
-  f64::Frame frame;
-  frame.east = f64::perpendicular(v);
-  frame.north = glm::cross(v, frame.east);
-  return frame;
-}
-
 f64::WaveSum sum_at(const std::vector<f64::Wave>& waves, const glm::dvec3& v, const f64::Frame& frame) {
   f64::WaveSum sum = f64::no_waves();
   for (const f64::Wave& wave : waves) f64::add_wave(sum, v, frame, wave, 1.0);
@@ -39,7 +32,7 @@ f64::WaveSum sum_at(const std::vector<f64::Wave>& waves, const glm::dvec3& v, co
 }
 
 glm::dvec3 surface(const std::vector<f64::Wave>& waves, const glm::dvec3& v) {
-  const f64::Frame frame = frame_at(v);
+  const f64::Frame frame = f64::frame_at(v);
   return v + f64::wave_offset(v, frame, sum_at(waves, v, frame));
 }
 
@@ -59,7 +52,7 @@ TEST(Waves, NormalAndJacobianAreExact) {
     const auto waves = sea(8, steepness, 7U);
     for (int i = 0; i < 2000; ++i) {
       const glm::dvec3 v = places.on_sphere();
-      const f64::Frame frame = frame_at(v);
+      const f64::Frame frame = f64::frame_at(v);
       const glm::dvec3 n = f64::wave_normal(sum_at(waves, v, frame));
       const glm::dvec3 world = n.x * frame.east + n.y * frame.north + n.z * v;
       ASSERT_LT(glm::distance(world, normal_by_differences(waves, v, frame)), 2e-6) << steepness;
@@ -76,7 +69,7 @@ TEST(Waves, OneWaveHasItsAmplitudeAndLength) {
   const double start = 0.7, end = 2.2;
   for (double theta = start; theta < end; theta += 1e-4) {
     const glm::dvec3 v = std::cos(theta) * wave.origin + std::sin(theta) * side;
-    const double height = sum_at({wave}, v, frame_at(v)).height;
+    const double height = sum_at({wave}, v, f64::frame_at(v)).height;
     highest = std::fmax(highest, height);
     if (before < 0.0 && height >= 0.0) ++crossings;
     before = height;
@@ -90,7 +83,7 @@ TEST(Waves, DoNotFoldWhenThePinchesSumToLessThanOne) {
   const auto waves = sea(12, 0.95, 5U);  // amplitudes times wavenumbers sum to 1
   for (int i = 0; i < 20'000; ++i) {
     const glm::dvec3 v = places.on_sphere();
-    ASSERT_GT(f64::wave_normal(sum_at(waves, v, frame_at(v))).z, 0.0);
+    ASSERT_GT(f64::wave_normal(sum_at(waves, v, f64::frame_at(v))).z, 0.0);
   }
 }
 
@@ -98,7 +91,7 @@ TEST(Waves, FadeAtTheirOriginAndItsAntipode) {
   const auto waves = sea(1, 0.9, 9U);
   for (const double side : {1.0, -1.0}) {
     const glm::dvec3 v = side * waves[0].origin;
-    const f64::WaveSum sum = sum_at(waves, v, frame_at(v));
+    const f64::WaveSum sum = sum_at(waves, v, f64::frame_at(v));
     EXPECT_EQ(sum.height, 0.0);
     EXPECT_EQ(glm::length(sum.shift), 0.0);
     EXPECT_TRUE(std::isfinite(f64::wave_normal(sum).z));
@@ -111,12 +104,12 @@ TEST(Waves, HeldBackByShallowsKeepTheirExactNormal) {
   const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, 0.5, 0.8));
   const auto factor = [&](const glm::dvec3& v) { return 0.5 + 0.4 * std::sin(3.0 * glm::dot(v, axis)); };
   const auto point = [&](const glm::dvec3& v) {
-    const f64::Frame f = frame_at(v);
+    const f64::Frame f = f64::frame_at(v);
     return v + f64::wave_offset(v, f, f64::attenuate(sum_at(waves, v, f), factor(v), glm::dvec2(0.0)));
   };
   for (int i = 0; i < 1000; ++i) {
     const glm::dvec3 v = places.on_sphere();
-    const f64::Frame f = frame_at(v);
+    const f64::Frame f = f64::frame_at(v);
     const double slope = 1.2 * std::cos(3.0 * glm::dot(v, axis));
     const glm::dvec2 slopes(slope * glm::dot(axis, f.east), slope * glm::dot(axis, f.north));
     const glm::dvec3 n = f64::wave_normal(f64::attenuate(sum_at(waves, v, f), factor(v), slopes));

@@ -27,7 +27,7 @@ TEST(Sea, KeepsItsHeightWhateverTheNumberOfWaves) {
   for (const int count : {1, 8, 100}) {
     const Scene scene = stormy(count);
     double squares = 0.0;
-    for (const f32::Wave& wave : make_sea(scene, 0.0).waves) squares += double{wave.amplitude} * double{wave.amplitude};
+    for (const f64::Wave& wave : make_sea(scene, 0.0).waves) squares += wave.amplitude * wave.amplitude;
     EXPECT_NEAR(std::sqrt(squares), scene.waves.amplitude, 1e-6);
   }
 }
@@ -40,7 +40,7 @@ TEST(Sea, NeverFoldsAndSaysWhenItWasHeld) {
       scene.waves.steepness = steepness;
       const Sea sea = make_sea(scene, 0.0);
       double sum = 0.0;
-      for (const f32::Wave& wave : sea.waves) sum += double{wave.pinch} * double{wave.wavenumber};
+      for (const f64::Wave& wave : sea.waves) sum += wave.pinch * wave.wavenumber;
       EXPECT_LT(sum, 0.951);
       EXPECT_EQ(sea.held, sea.steepness < steepness);
     }
@@ -76,8 +76,8 @@ TEST(Sea, SpreadDecidesHowFarDirectionsDiffer) {
   wild.waves.spread = 1.0;
   const auto closest = [](const Sea& sea) {
     double least = 1.0;
-    for (const f32::Wave& wave : sea.waves)
-      least = std::fmin(least, double{glm::dot(wave.origin, sea.waves[0].origin)});
+    for (const f64::Wave& wave : sea.waves)
+      least = std::fmin(least, glm::dot(wave.origin, sea.waves[0].origin));
     return least;
   };
   EXPECT_GT(closest(make_sea(combed, 0.0)), 0.9999);

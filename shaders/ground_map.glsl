@@ -1,0 +1,35 @@
+// The ground as its map holds it: used by the ground itself and by the water, at the bottom and along the shore.
+#include "cloud_map.glsl"
+#include "lib/ground.glsl"
+#include "lib/heights.glsl"
+
+// xyz: gradient of the height over the unit sphere, along the sphere, and upward the openness; w: height over the water,
+// radii.
+uniform samplerCube ground_map;
+
+GroundAt ground_at(vec4 map, vec3 up) {
+  GroundAt ground;
+  ground.openness = dot(map.xyz, up);
+  ground.gradient = map.xyz - ground.openness * up;
+  ground.height = map.w;
+  return ground;
+}
+
+Bands scene_bands() {
+  Bands b;
+  b.sand = terrain_sand_color.rgb;
+  b.land = terrain_land_color.rgb;
+  b.mountain = terrain_mountain_color.rgb;
+  b.snow = terrain_snow_color.rgb;
+  b.seabed = terrain_seabed_color.rgb;
+  b.sea = water_color.rgb;
+  b.sand_height = terrain_sand_height;
+  b.mountain_height = terrain_mountain_height;
+  b.snow_height = terrain_snow_height;
+  b.softness = terrain_softness;
+  b.slope_rock = terrain_slope_rock;
+  b.thinning = terrain_thinning;
+  b.snow_sine = levels.x;
+  b.hollows = terrain_hollows;
+  return b;
+}

@@ -1,0 +1,163 @@
+// Water as it is seen: what it reflects, what one sees through it, and what floats on it. Lengths in planet radii.
+#include "lib/ground.glsl"
+#include "lib/heights.glsl"
+#include "lib/waves.glsl"
+
+// What a scene's water is like.
+struct WaterLook {
+  vec3 color;             // of deep water
+  vec3 extinction;        // of light on its way through, per radius
+  vec3 foam_color;
+  float foam;             // 0..1
+  float clarity;          // length after which light takes the water's tint
+  float roughness;        // 0..1
+  float refraction_index;
+  float shininess;        // of Phong's highlight
+  float glow;             // light that it sends by itself
+  float crust;            // part of a calm surface that a crust covers, 0..1
+  int shading;            // 0: Schlick, 1: Phong
+};
+
+// Its surface at a place.
+struct Water {
+  vec3 normal;      // unit
+  float depth;      // of the still water; at most 0 where there is land
+  float foam;       // 0..1
+  float roughness;  // 0.02..1
+};
+
+// Small waves of flow noise on a calm sea, summed from the coarsest layer on (Sandahl 2022, equations 12 and 13).
+struct Ripples {
+  vec3 gradient;    // of the water's height over the unit sphere
+  float rough;      // fourth power of the roughness that stands for what is too small to be seen
+  float wash;       // -1..1: where foam runs further up
+  int layer;        // the next one
+  float frequency;  // its cells per radian
+  float strength;   // its part of the steepness of all
+  vec2 turn;        // cosine and sine of the angle by which its gradients are turned
+};
+
+// Layers told in the roughness where they are too small to be seen.
+const int told_ripples = 2;
+
+// frequency: cells per radian of the first layer; turn: cosine and sine of the angle by which its gradients are turned.
+Ripples no_ripples(float frequency, vec2 turn) {
+  Ripples r;
+  r.gradient = vec3(0.0);
+  r.rough = 0.0;
+  r.wash = 0.0;
+  r.layer = 0;
+  r.frequency = frequency;
+  r.strength = 0.11;
+  r.turn = turn;
+  return r;
+}
+
+// Each layer is finer than the one before it, gentler, and turns twice as fast.
+Ripples next_layer(Ripples r) {
+  r.layer += 1;
+  r.frequency *= 2.3;
+  r.strength *= 0.7;
+  r.turn = vec2(r.turn.x * r.turn.x - r.turn.y * r.turn.y, 2.0 * r.turn.x * r.turn.y);
+  return r;
+}
+
+// Tells a layer of which a part is not shown in the roughness. steepness: of all layers; shown: 0..1.
+Ripples roughened(Ripples r, float steepness, float shown) {
+  float unseen = r.strength * steepness;
+  r.rough += 3.0 * (1.0 - shown * shown) * unseen * unseen;
+  return r;
+}
+
+// Adds the next layer at a direction (unit), without what samples a footprint (rad) apart can't show.
+Ripples add_ripples(Ripples r, vec3 direction, float steepness, float footprint, uint seed) {
+  float shown = layer_weight(r.frequency, footprint);
+  vec3 place = direction * r.frequency + layer_offset(r.layer, seed);
+  Noise n = turned_noise(ivec3(0), place, r.turn, layer_seed(r.layer, seed));
+  r.gradient += shown * r.strength * steepness * n.gradient;
+  if (r.layer < told_ripples) {
+    r.wash += shown * n.value * 0.5;
+    r = roughened(r, steepness, shown);
+  }
+  return next_layer(r);
+}
+
+// What tells the noise of ripples from all other noise of a planet.
+uint ripple_seed(int seed) {
+  return uint(seed) + 71u;
+}
+
+// How far a crust covers a place, 0..1, as far as samples can show where it is torn. shown: how much of the first layer of
+// ripples they can show, 0..1.
+float torn_crust(Ripples r, float shown, WaterLook look) {
+  return mix(look.crust, crust_cover(r.wash, look.crust), shown);
+}
+
+// A calm sea at a place. up: unit; crust: 0..1, how far a crust covers it.
+Water calm_water(vec3 up, float depth, Ripples r, float crust, WaterLook look) {
+  float own = look.roughness * look.roughness;
+  float line = look.clarity * 0.30;
+  Water w;
+  w.normal = surface_normal(up, 1.0, r.gradient);
+  w.depth = depth;
+  w.roughness = clamp(sqrt(sqrt(own * own + r.rough)), 0.02, 1.0);
+  w.foam = max(look.foam * (1.0 - smoothstep(0.2, 1.0, depth / max(line, 1.0e-9) + 0.5 * r.wash)), crust);
+  return w;
+}
+
+// A sea of waves at a place. up: unit, of the still water; amplitude: of the sea, > 0; whole_depth: at which waves are whole.
+Water wavy_water(vec3 up, float depth, WaveSum sum, Frame frame, float amplitude, float whole_depth, WaterLook look) {
+  vec3 n = wave_normal(sum);
+  float crest = 1.0 - smoothstep(0.25, 0.75, n.z);
+  n = normalize(n);
+  float rise = sum.height / amplitude;
+  float shore = 1.0 - smoothstep(0.05, 0.35, depth / whole_depth - 0.05 * rise);
+  Water w;
+  w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
+  w.depth = depth;
+  w.roughness = look.roughness;
+  w.foam = look.foam * clamp(crest * smoothstep(0.2, 1.6, rise) + 0.8 * shore, 0.0, 1.0);
+  return w;
+}
+
+// A ray as it goes on in the water. ray, normal: unit, from the air.
+vec3 refracted_ray(vec3 ray, vec3 normal, WaterLook look) {
+  return refract(ray, normal, 1.0 / look.refraction_index);
+}
+
+// How fast a refracted ray goes down: its cosine with the vertical, held to what a rough step may divide by. up: unit.
+float dive_of(vec3 refracted, vec3 up) {
+  return max(-dot(refracted, up), 0.25);
+}
+
+// Light from the bottom and from the water itself, along the refracted ray. albedo, normal: of the bottom; depth: of the
+// bottom; way: of the ray through the water; shade: part of the sunlight left by the clouds.
+vec3 light_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
+  float sun_height = dot(at.up, scene.sun);
+  vec3 left = transmitted(look.extinction, way);
+  vec3 lit = ground_light(albedo, normal, at, shade, scene) * transmitted(look.extinction, depth / max(sun_height, 0.3));
+  vec3 body = look.color * (at.sun * (wrap_diffuse(sun_height, 0.15) * shade) + skylight(at, at.up, scene)) * 0.6;
+  return mix(body, lit, left);
+}
+
+// Light that the surface sends to the eye, before the air. ray: unit, from the eye; below: what comes from under it;
+// mirrored: what is seen in it; shade: part of the sunlight left by the clouds. Where there is land (depth at most 0) the
+// surface is not seen.
+vec3 water_light(Water w, LightAt at, vec3 ray, vec3 below, vec3 mirrored, float shade, WaterLook look, SceneLight scene) {
+  float wet = w.depth > 0.0 ? 1.0 : 0.0;
+  vec3 sunlight = at.sun * shade;
+  vec3 light = below;
+  if (look.shading == 0) {
+    float cosine = max(-dot(ray, w.normal), 0.0);
+    float r0 = reflectance_at_normal(1.0, look.refraction_index);
+    vec3 between = normalize(scene.sun - ray);
+    float gleam = glitter(dot(w.normal, between), cosine, dot(w.normal, scene.sun), w.roughness);
+    float r_sun = schlick(max(dot(scene.sun, between), 0.0), r0);
+    light = mix(light, mirrored, wet * schlick(cosine, r0)) + sunlight * (wet * min(gleam * r_sun, 40.0));
+  } else {
+    light += sunlight * (wet * phong(dot(reflect(ray, w.normal), scene.sun), look.shininess) * 0.08);
+  }
+  vec3 foam = look.foam_color * (sunlight * wrap_diffuse(dot(w.normal, scene.sun), 0.1) + skylight(at, w.normal, scene)) * 0.55;
+  light = mix(light, foam, wet * w.foam);
+  return light + look.color * (wet * look.glow * (1.0 - 0.95 * w.foam));
+}
