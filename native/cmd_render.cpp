@@ -1,10 +1,13 @@
 #include "native/cmd_render.hpp"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 
+#include "app/develop.hpp"
 #include "app/stats.hpp"
 #include "app/still.hpp"
 #include "base/file.hpp"
@@ -12,6 +15,7 @@
 #include "native/egl_context.hpp"
 #include "native/failures.hpp"
 #include "native/options.hpp"
+#include "reference/picture.hpp"
 
 namespace terrella {
 namespace {
@@ -23,6 +27,7 @@ struct RenderOptions {
   std::string out;
   std::string channel = "color";
   int samples = 1;
+  bool reference = false;
   bool transparent = false;
   int frames = 0;
   bool why = false;
@@ -68,6 +73,16 @@ void read_channel(const std::string& text, Task& task, Issues& issues) {
                      did_you_mean(nearest_name(text, names))));
 }
 
+// What belongs to drawing by the GPU alone.
+void refuse_for_reference(const RenderOptions& options, Issues& issues) {
+  const auto refuse = [&](bool given, const char* option) {
+    if (given) issues.add(option, "is for pictures that the GPU draws, and --reference asks for none of them.");
+  };
+  refuse(options.transparent, "--transparent");
+  refuse(options.frames > 0, "--frames");
+  refuse(options.why, "--why");
+}
+
 Task understand(const RenderOptions& options, Issues& issues) {
   Task task;
   const SceneChoice choice = choose_scene(options.scene);
@@ -92,6 +107,7 @@ Task understand(const RenderOptions& options, Issues& issues) {
   } else if (!task.pfm && task.channel != Channel::color) {
     issues.add("--out", text_of("the channel ", options.channel, " is not a picture; give a file that ends in .pfm."));
   }
+  if (options.reference) refuse_for_reference(options, issues);
   if (task.pfm && options.transparent) issues.add("--transparent", "is for pictures; give a file that ends in .png.");
   return task;
 }
@@ -132,7 +148,51 @@ void print_needs(const Needs& needs) {
   }
 }
 
+// By the reference; a line on a terminal tells how far it is.
+Image reference_image(const RenderOptions& options, const Task& task) {
+  reference::Options how;
+  how.width = task.still.width;
+  how.height = task.still.height;
+  how.seconds = options.time;
+  how.samples = options.samples;
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  if (terminal)
+    how.progress = [](double part) { std::fprintf(stderr, "\r%3.0f %%%s", 100.0 * part, part < 1.0 ? "" : "\n"); };
+  if (task.channel == Channel::color) {
+    Image light = reference::light(task.scene, how);
+    return task.pfm ? light : developed(light, task.scene.picture.tone);
+  }
+  reference::Geometry geometry = reference::geometry(task.scene, how);
+  if (task.channel == Channel::distance) return geometry.distance;
+  return task.channel == Channel::normal ? geometry.normal : geometry.height;
+}
+
+std::string write_image(const RenderOptions& options, const Task& task, const Image& image) {
+  const Result<Done> done = write_file_whole(options.out, task.pfm ? encode_pfm(image) : encode_png(image));
+  return done ? std::string() : done.sentence();
+}
+
+std::string write_stats(const RenderOptions& options, const Task& task, StatsReport& report) {
+  if (options.stats.empty()) return {};
+  report.width = task.still.width;
+  report.height = task.still.height;
+  report.frames = 1 + options.frames;
+  const Result<Done> done = write_file_whole(options.stats, to_json(report) + "\n");
+  return done ? std::string() : done.sentence();
+}
+
 // Draws and writes; returns what went wrong, or nothing.
+std::string render_reference(const RenderOptions& options, const Task& task) {
+  const auto start = std::chrono::steady_clock::now();
+  const Image image = reference_image(options, task);
+  StatsReport report;
+  report.renderer = "reference";
+  report.first_frame_ms = milliseconds_since(start);
+  report.nonfinite_pixels = count_nonfinite(image, task.channel);
+  const std::string failure = write_image(options, task, image);
+  return failure.empty() ? write_stats(options, task, report) : failure;
+}
+
 std::string render(const RenderOptions& options, const Task& task) {
   const auto start = std::chrono::steady_clock::now();
   const auto context = EglContext::make(options.gl == "es" ? Api::es : Api::core);
@@ -147,25 +207,17 @@ std::string render(const RenderOptions& options, const Task& task) {
   report.first_frame_ms = milliseconds_since(start);
   report.nonfinite_pixels = count_nonfinite(image, task.channel);
   report.work = renderer.stats();
-  if (const Result<Done> done = write_file_whole(options.out, task.pfm ? encode_pfm(image) : encode_png(image));
-      !done) {
-    return done.sentence();
-  }
+  if (const std::string failure = write_image(options, task, image); !failure.empty()) return failure;
   if (options.why) print_needs(renderer.needs());
   if (options.frames > 0) {
     report.frame_ms = time_frames(renderer, task, options.frames + 1);
     report.work = renderer.stats();
   }
-  if (options.stats.empty()) return {};
   report.renderer = gl::caps().renderer;
-  report.width = task.still.width;
-  report.height = task.still.height;
-  report.frames = 1 + options.frames;
   report.needs = renderer.needs();
   if (renderer.pose().raised)
     report.issues.push_back("camera.altitude: the camera was under the surface and was raised above it.");
-  const Result<Done> done = write_file_whole(options.stats, to_json(report) + "\n");
-  return done ? std::string() : done.sentence();
+  return write_stats(options, task, report);
 }
 
 }  // namespace
@@ -180,6 +232,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
       ->required();
   command->add_option("--channel", options->channel, "color, distance, normal or height (color)");
   command->add_option("--samples", options->samples, "N for N x N samples a pixel (1)");
+  command->add_flag("--reference", options->reference, "Draw by the double-precision reference, on the CPU");
   command->add_flag("--transparent", options->transparent, "The planet alone, with opacity, for laying over anything");
   command->add_option("--frames", options->frames, "Draw N frames more after warming up, to time them (0)");
   command->add_flag("--why", options->why, "Print what is modelled, how finely and for what reason");
@@ -192,7 +245,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
       exit_code = report_bad_input(issues);
       return;
     }
-    const std::string failure = render(*options, task);
+    const std::string failure = options->reference ? render_reference(*options, task) : render(*options, task);
     if (!failure.empty()) exit_code = report_failure(failure);
   });
 }

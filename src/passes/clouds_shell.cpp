@@ -8,6 +8,7 @@
 
 #include "formulas/formulas.hpp"
 #include "passes/shell.hpp"
+#include "planet/cloud_layers.hpp"
 #include "planet/spheres.hpp"
 
 namespace terrella {
@@ -21,11 +22,6 @@ int channel_of(std::int64_t step) { return static_cast<int>(((step % 3) + 3) % 3
 
 // Whether pixels add layers that the map can't hold.
 bool shows_fine_layers(const Needs& needs) { return needs.cloud_pixel_end > needs.cloud_pixel_first; }
-
-// The angle by which the gradients of a layer are turned: those of layer i 2^i times as fast as the coarsest (18).
-double turn_of_layer(const Scene& scene, int layer, double seconds) {
-  return std::ldexp(scene.clouds.speed * seconds, layer);
-}
 
 }  // namespace
 
@@ -135,8 +131,7 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
   bake_program_.set("octaves", octaves);
   std::array<glm::vec2, 12> turns{};
   for (int i = 0; i < octaves; ++i) {
-    const double angle = turn_of_layer(frame.scene, i, seconds);
-    turns.at(static_cast<std::size_t>(i)) = glm::vec2(std::cos(angle), std::sin(angle));
+    turns.at(static_cast<std::size_t>(i)) = glm::vec2(turn_of_cloud_layer(frame.scene, i, seconds));
   }
   for (std::size_t i = 0; i < turns.size(); i += 2) {
     const std::string name = "turns[" + std::to_string(i / 2) + "]";
@@ -146,12 +141,12 @@ void CloudsShell::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, dou
 }
 
 void CloudsShell::set_cyclones(const Scene& scene) {
-  const int count = scene.clouds.swirl > 0.0 ? f32::cyclone_count : 0;
+  const Cyclones cyclones = cyclones_of(scene);
   bake_program_.use();
-  bake_program_.set("cyclones", count);
-  for (int i = 0; i < count; ++i) {
+  bake_program_.set("cyclones", cyclones.count);
+  for (int i = 0; i < cyclones.count; ++i) {
     const std::string name = "cyclone[" + std::to_string(i) + "]";
-    const glm::vec4 place = f32::cyclone_place(i, static_cast<unsigned>(scene.planet.seed));
+    const glm::vec4 place(cyclones.places.at(static_cast<std::size_t>(i)));
     bake_program_.set(name.c_str(), place.x, place.y, place.z, place.w);
   }
 }
@@ -161,10 +156,10 @@ void CloudsShell::bind_map(double level) { (coarse_in_use_ ? coarse_ : fine_)->b
 void CloudsShell::draw(const Frame& frame) {
   gl::Program& program = draw_program_.use(frame.effort == Effort::complete);
   if (shows_fine_layers(frame.needs)) {
-    const double turn = turn_of_layer(frame.scene, frame.needs.cloud_octaves - 1, frame.view.seconds);
+    const glm::vec2 turn(turn_of_cloud_layer(frame.scene, frame.needs.cloud_octaves - 1, frame.view.seconds));
     program.set("layers", static_cast<float>(frame.needs.cloud_pixel_first),
                 static_cast<float>(frame.needs.cloud_pixel_end), static_cast<float>(map_texel_angle()), 0.0F);
-    program.set("turn", static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)));
+    program.set("turn", turn.x, turn.y);
   }
   draw_shell(spheres_, program, frame, frame.needs.cloud_level, cloud_radius(frame.scene));
 }

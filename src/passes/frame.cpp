@@ -16,13 +16,6 @@ namespace {
 
 glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dvec4(v, w)); }
 
-// Depth (planet radii) from which waves no longer feel the ground: a few of their heights, and so deep that at a place
-// of less depth no trough reaches down to the ground. Waves are held by smoothstep(0, shoal, depth), which at a depth d
-// is at most 9/8 d / shoal.
-double shoal_of(const Frame& frame) {
-  return std::max(4.0 * frame.scene.waves.amplitude / frame.scene.planet.radius, 1.125 * frame.sea.highest) + 1e-6;
-}
-
 }  // namespace
 
 Sight sight_of(const Frame& frame) {
@@ -74,7 +67,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.cloud_turn = glm::vec4(drift, maps.cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
   block.cloud_moments = vector(maps.cloud_moments);
   block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest,
-                        static_cast<double>(sea.waves.size()), shoal_of(frame));
+                        static_cast<double>(sea.waves.size()), whole_wave_depth(scene, sea));
   block.ripple =
       glm::vec4(needs.ripple_layers > 0 ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level), 0.0, 0.0);
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);

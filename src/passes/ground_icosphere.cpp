@@ -140,7 +140,7 @@ void GroundIcosphere::draw(const Frame& frame) {
   const RadiusRange water = water_range(frame);
   const double lowest = std::min_element(surface.ranges.begin(), surface.ranges.end(), lower)->lowest;
   // Seen from above, water hides what lies under it, troughs included: where they are deep, the ground is deeper
-  // (shoal_of).
+  // (whole_wave_depth).
   const double shown = glm::length(frame.pose.eye) > water.highest ? lowest_still_water(frame) : 0.0;
   std::vector<float> tops;
   tops.reserve(group_count);

@@ -33,6 +33,10 @@ double habitable(const Scene& scene, double height) {
 
 }  // namespace
 
+bool has_lights(const Scene& scene) {
+  return has_ground(scene) && scene.lights.density > 0.0 && scene.lights.brightness > 0.0;
+}
+
 Lights find_lights(const Scene& scene, int level) {
   Lights found;
   const auto seed = static_cast<unsigned>(scene.lights.seed) + seed_of_lights;

@@ -20,6 +20,9 @@ struct Lights {
   std::int64_t noise_evaluations = 0;
 };
 
+// Whether there are any to be seen.
+bool has_lights(const Scene& scene);
+
 // Found once for a ground: on land below the rock and outside of the snow, most along the shores. level: of the
 // icosphere that shows the ground.
 Lights find_lights(const Scene& scene, int level);

@@ -15,44 +15,13 @@ namespace {
 constexpr unsigned seed_of_band = 31'337;
 // Over the whole sphere, of which the band takes a sixth.
 constexpr int star_places = 60'000;
-constexpr float half_width = 0.2F;  // as a sine
 // Squares of the glow along the band and over its width.
 constexpr int columns = 300, rows = 20;
 
 unsigned seed_of(const Scene& scene) { return static_cast<unsigned>(scene.stars.seed) + seed_of_band; }
 
-// How bright the band is at a direction, 0..1: clouds of stars, and dust that hides some along the middle.
-class Band {
- public:
-  static constexpr int noise_each = 3;
-
-  explicit Band(const Scene& scene) : normal_(milky_band_normal(scene)), seed_(seed_of(scene)) {}
-
-  [[nodiscard]] bool holds(const glm::vec3& direction) const {
-    return std::fabs(glm::dot(direction, normal_)) < half_width;
-  }
-
-  [[nodiscard]] float brightness(const glm::vec3& direction) const {
-    const float across = glm::dot(direction, normal_) / half_width;
-    const float clouds = noise(direction, 2.5F, 0), veils = noise(direction, 7.0F, 1),
-                wisps = noise(direction, 15.0F, 2);
-    const float edge = std::fabs(across) * (1.25F - 0.25F * clouds - 0.2F * veils);
-    const float shape = 1.0F - glm::smoothstep(0.0F, 1.0F, edge);
-    const float from_dust = std::fabs(across + 0.22F * clouds + 0.1F * wisps) + 0.3F * veils + 0.12F * wisps;
-    const float clear = glm::smoothstep(-0.05F, 0.3F, from_dust);
-    return shape * (0.3F + 0.7F * clear) * (0.75F + 0.2F * clouds + 0.25F * veils + 0.15F * wisps);
-  }
-
- private:
-  // Drawn out along the band.
-  [[nodiscard]] float noise(const glm::vec3& direction, float frequency, unsigned which) const {
-    const glm::vec3 place = direction + 1.2F * glm::dot(direction, normal_) * normal_;
-    return f32::simplex_noise(glm::ivec3(0), frequency * place, seed_ + which).value;
-  }
-
-  glm::vec3 normal_;
-  unsigned seed_;
-};
+// Evaluations of noise in one brightness.
+constexpr int noise_each = 3;
 
 // A place beside an even one, so that no spiral is seen.
 glm::vec3 scattered(int i, int count, unsigned seed) {
@@ -62,24 +31,28 @@ glm::vec3 scattered(int i, int count, unsigned seed) {
 
 }  // namespace
 
-glm::vec3 milky_band_normal(const Scene& scene) {
+glm::dvec3 milky_band_normal(const Scene& scene) {
   // Tilted, each sky another way; that of the first passes behind the planet in the first view.
   constexpr double tilt = 0.95, first = 1.75, golden = 2.399963;
   const double longitude = first + golden * (scene.stars.seed - 1);
   return {std::sin(tilt) * std::cos(longitude), std::sin(tilt) * std::sin(longitude), std::cos(tilt)};
 }
 
+double milky_band_brightness(const Scene& scene, const glm::dvec3& direction) {
+  return scene.stars.band * f64::band_brightness(direction, milky_band_normal(scene), seed_of(scene));
+}
+
 StarSky find_band_stars(const Scene& scene) {
   StarSky sky;
   if (scene.stars.band <= 0.0) return sky;
-  const Band band(scene);
+  const glm::vec3 normal(milky_band_normal(scene));
   const auto strength = static_cast<float>(scene.stars.band);
   for (int i = 0; i < star_places; ++i) {
     const glm::vec3 direction = scattered(i, star_places, seed_of(scene) + 7);
-    if (!band.holds(direction)) continue;
-    sky.noise_evaluations += Band::noise_each;
+    if (std::fabs(glm::dot(direction, normal)) >= f32::band_half_width) continue;
+    sky.noise_evaluations += noise_each;
     const float dice = static_cast<float>(f32::hash_cell(glm::ivec3(i, 2, 0), seed_of(scene)) & 1023U) / 1023.0F;
-    if (dice > strength * band.brightness(direction)) continue;
+    if (dice > strength * f32::band_brightness(direction, normal, seed_of(scene))) continue;
     sky.stars.push_back({direction, 0.03F + 0.10F * dice * dice, glm::vec3(1.0F, 0.95F, 0.9F)});
   }
   return sky;
@@ -88,7 +61,6 @@ StarSky find_band_stars(const Scene& scene) {
 BandGlow find_band_glow(const Scene& scene) {
   BandGlow glow;
   if (scene.stars.band <= 0.0) return glow;
-  const Band band(scene);
   const auto strength = static_cast<float>(scene.stars.band);
   const glm::dvec3 normal(milky_band_normal(scene));
   const glm::dvec3 first = glm::normalize(glm::cross(normal, glm::dvec3(1.0, 0.0, 0.0)));
@@ -97,14 +69,16 @@ BandGlow find_band_glow(const Scene& scene) {
     const double turn = 2.0 * std::numbers::pi * column / columns;
     const glm::dvec3 along = std::cos(turn) * first + std::sin(turn) * second;
     for (int row = 0; row <= rows; ++row) {
-      const double across = half_width * (2.0 * row / rows - 1.0);
+      const double across = f64::band_half_width * (2.0 * row / rows - 1.0);
       const glm::vec3 direction(across * normal + std::sqrt(1.0 - across * across) * along);
       // Nothing is left at its edges.
-      const float bright = row == 0 || row == rows ? 0.0F : strength * band.brightness(direction);
+      const float bright = row == 0 || row == rows
+                               ? 0.0F
+                               : strength * f32::band_brightness(direction, glm::vec3(normal), seed_of(scene));
       glow.vertices.push_back(direction * (1.0F + bright));
     }
   }
-  glow.noise_evaluations = Band::noise_each * static_cast<std::int64_t>(glow.vertices.size());
+  glow.noise_evaluations = noise_each * static_cast<std::int64_t>(glow.vertices.size());
   // Nobody would see it.
   const auto dark = [&](std::uint32_t vertex) { return glm::length(glow.vertices[vertex]) < 1.004F; };
   for (int column = 0; column < columns; ++column) {

@@ -9,7 +9,10 @@
 namespace terrella {
 
 // Normal (unit) of the plane that it lies around.
-glm::vec3 milky_band_normal(const Scene& scene);
+glm::dvec3 milky_band_normal(const Scene& scene);
+
+// Brightness of its glow at a direction (unit), 0..1.
+double milky_band_brightness(const Scene& scene, const glm::dvec3& direction);
 
 // Its points. None where stars.band is 0.
 StarSky find_band_stars(const Scene& scene);

@@ -9,6 +9,7 @@
 
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
+#include "planet/lights.hpp"
 #include "planet/materials.hpp"
 #include "planet/octaves.hpp"
 #include "planet/rings.hpp"
@@ -185,13 +186,12 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
 }
 
 void decide_night(Needs& needs, const Scene& scene, Decisions& decide) {
-  const bool lit = scene.lights.density > 0.0 && scene.lights.brightness > 0.0;
-  const bool lights = lit && needs.ground != Ground::none;
+  const bool lights = has_lights(scene);
   needs.night = lights ? NightSide::lights : NightSide::none;
   decide.add("night", name_of(needs.night),
-             lights ? "found once for a ground and drawn as points where it is dark"
-             : lit  ? "there is no ground for lights to stand on"
-                    : "lights.density or brightness is 0: there is nothing to see");
+             lights              ? "found once for a ground and drawn as points where it is dark"
+             : has_ground(scene) ? "lights.density or brightness is 0: there is nothing to see"
+                                 : "there is no ground for lights to stand on");
 }
 
 void decide_sun(Needs& needs, const Scene& scene, const View& view, const Pose& pose, Decisions& decide) {

@@ -24,12 +24,6 @@ f32::Noise noise_at(const glm::vec3& direction, unsigned seed) {
   return f32::simplex_noise(glm::ivec3(0), direction * static_cast<float>(frequency), seed);
 }
 
-// Colours along the black body's line, from a number of -1 (red) to 1 (blue).
-glm::vec3 star_color(float warmth) {
-  const glm::vec3 white(1.0F, 0.96F, 0.92F), blue(0.62F, 0.76F, 1.25F), red(1.3F, 0.80F, 0.50F);
-  return warmth > 0.0F ? glm::mix(white, blue, warmth) : glm::mix(white, red, -warmth);
-}
-
 }  // namespace
 
 StarSky find_stars(const Scene& scene) {
@@ -55,7 +49,7 @@ StarSky find_stars(const Scene& scene) {
     const float warmth =
         std::pow(static_cast<float>(dice & 1023U) / 1023.0F, 1.5F) * ((dice & 1024U) != 0U ? 1.F : -1.F);
     const float peak = glm::smoothstep(threshold - 0.02F, 1.0F, n.value);
-    sky.stars.push_back({direction, peak * peak, star_color(warmth)});
+    sky.stars.push_back({direction, peak * peak, f32::star_color(warmth)});
   }
   // Several samples climb to one peak: keep one star of those that stand together.
   std::sort(sky.stars.begin(), sky.stars.end(),

@@ -20,6 +20,8 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 }  // namespace
 
+double seen_sun_radius(const Scene& scene) { return std::max(std::tan(0.5 * glm::radians(scene.sun.size)), 0.004); }
+
 double free_part_of_sun(const Scene& scene, const Pose& pose, double solid) {
   const double distance = glm::length(pose.eye);
   if (solid <= 0.0 || distance <= 0.0) return 1.0;

@@ -5,6 +5,9 @@
 
 namespace terrella {
 
+// Tangent of the sun's apparent radius, as it is drawn: of any size at least a point's.
+double seen_sun_radius(const Scene& scene);
+
 // Part of the sun's disc that the solid planet leaves free, 0..1: 1 in front of it and beside it. solid: radius of what
 // hides it, planet radii, 0: nothing does.
 double free_part_of_sun(const Scene& scene, const Pose& pose, double solid);

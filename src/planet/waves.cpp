@@ -73,4 +73,8 @@ Sea make_sea(const Scene& scene, double seconds) {
   return sea;
 }
 
+double whole_wave_depth(const Scene& scene, const Sea& sea) {
+  return std::max(4.0 * scene.waves.amplitude / scene.planet.radius, 1.125 * sea.highest) + 1e-6;
+}
+
 }  // namespace terrella

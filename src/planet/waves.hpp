@@ -22,4 +22,9 @@ struct Sea {
 // sum of pinch times wavenumber stays below 1 (Michelic 8, as corrected: Q A w summed), where trochoids begin to loop.
 Sea make_sea(const Scene& scene, double seconds);
 
+// Depth (planet radii) from which waves no longer feel the ground: a few of their heights, and so deep that at a place
+// of less depth no trough reaches down to the ground. Waves are held by smoothstep(0, whole, depth), which at a depth d
+// is at most 9/8 d / whole.
+double whole_wave_depth(const Scene& scene, const Sea& sea);
+
 }  // namespace terrella

@@ -15,7 +15,7 @@ namespace {
 TEST(MilkyBand, HasDimStarsAroundAGreatCircle) {
   const Scene scene;
   const StarSky sky = find_band_stars(scene);
-  const glm::vec3 normal = milky_band_normal(scene);
+  const glm::vec3 normal(milky_band_normal(scene));
   EXPECT_NEAR(glm::length(normal), 1.0F, 1e-6F);
   glm::dvec3 mean(0.0);
   for (const Star& star : sky.stars) {
@@ -32,7 +32,7 @@ TEST(MilkyBand, HasDimStarsAroundAGreatCircle) {
 TEST(MilkyBand, GlowsInABeltWithoutAGap) {
   const Scene scene;
   const BandGlow glow = find_band_glow(scene);
-  const glm::vec3 normal = milky_band_normal(scene);
+  const glm::vec3 normal(milky_band_normal(scene));
   for (const glm::vec3& vertex : glow.vertices) {
     const float bright = glm::length(vertex) - 1.0F;
     ASSERT_GE(bright, -1e-6F);
@@ -80,7 +80,7 @@ TEST(MilkyBand, GrowsWithItsParameterFromNothing) {
 TEST(MilkyBand, LiesElsewhereInAnotherSky) {
   Scene other;
   other.stars.seed = 2;
-  EXPECT_LT(std::abs(glm::dot(milky_band_normal(other), milky_band_normal(Scene{}))), 0.95F);
+  EXPECT_LT(std::abs(glm::dot(milky_band_normal(other), milky_band_normal(Scene{}))), 0.95);
 }
 
 }  // namespace

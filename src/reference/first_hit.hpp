@@ -1,0 +1,70 @@
+// Where a ray first meets a surface that has one radius in each direction from the planet's centre.
+#pragma once
+
+#include "reference/ray.hpp"
+
+namespace terrella::reference {
+
+// Surface:
+//   double radius_at(direction)                    exact; direction: unit
+//   bool stays_below(direction, chord, radius)     true only if all of the surface lies below radius in all directions
+//                                                  (unit) that are within chord of the given one
+//
+// Halves the span until no piece is left that the surface might reach, or a piece is as short as the resolution: so a
+// crest is missed only if the ray cuts less than that out of it. Then brackets the crossing. At `from` the ray is above
+// the surface. Returns the distance along the ray, within 1e-13 of it, or nothing.
+template <class Surface>
+std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Span& span,
+                                const Resolution& resolution) {
+  const double nearest = -glm::dot(ray.origin, ray.direction);
+  const auto height_over = [&](double t) {
+    const glm::dvec3 place = ray.at(t);
+    const double radius = glm::length(place);
+    return radius - surface.radius_at(place / radius);
+  };
+  const auto clear = [&](double from, double to) {
+    const glm::dvec3 middle = glm::normalize(ray.at(0.5 * (from + to)));
+    const double chord = std::max(glm::distance(glm::normalize(ray.at(from)), middle),
+                                  glm::distance(glm::normalize(ray.at(to)), middle));
+    return surface.stays_below(middle, chord, glm::length(ray.at(std::clamp(nearest, from, to))));
+  };
+  // False position, where an end that stays counts half (the Illinois method): it never leaves the bracket.
+  const auto crossing = [&](double above, double below) {
+    double height_above = height_over(above), height_below = height_over(below);
+    int stays = 0;
+    for (int i = 0; i < 200 && below - above > 1e-13 * below; ++i) {
+      const double share = height_above / (height_above - height_below);
+      const double guess = above + (share > 0.0 && share < 1.0 ? share : 0.5) * (below - above);
+      const double height = height_over(guess);
+      if (height > 0.0) {
+        above = guess;
+        height_above = height;
+        if (stays > 0) height_below *= 0.5;
+        stays = 1;
+      } else {
+        below = guess;
+        height_below = height;
+        if (stays < 0) height_above *= 0.5;
+        stays = -1;
+      }
+      if (std::abs(height) < 1e-15) return guess;
+    }
+    return below;
+  };
+  // The nearest piece first. below: whether its end is known to lie under the surface.
+  const auto search = [&](const auto& self, double from, double to, bool below) -> std::optional<double> {
+    if (!below && clear(from, to)) return std::nullopt;
+    if (to - from < std::max(resolution.per_distance * from, resolution.least)) {
+      if (below || height_over(to) <= 0.0) return crossing(from, to);
+      return std::nullopt;
+    }
+    const double middle = 0.5 * (from + to);
+    const bool middle_below = height_over(middle) <= 0.0;
+    if (const auto found = self(self, from, middle, middle_below)) return found;
+    return middle_below ? std::nullopt : self(self, middle, to, below);
+  };
+  if (span.to <= span.from) return std::nullopt;
+  return search(search, span.from, span.to, height_over(span.to) <= 0.0);
+}
+
+}  // namespace terrella::reference

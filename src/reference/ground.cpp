@@ -1,0 +1,97 @@
+#include "reference/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planet/terrain.hpp"
+#include "reference/first_hit.hpp"
+
+namespace terrella::reference {
+namespace {
+
+// The steepest slope and the largest value of simplex noise, per cell (tests/laws/noise_test.cpp measures both).
+constexpr double noise_slope = 6.5, noise_range = 1.02;
+
+// Finer layers (cells per radian) doubles and integers of 32 bits place no more.
+constexpr double finest = 1e8;
+
+// The same of a layer: half the noise, or one less its smooth absolute value, whose slope is below 1.2.
+double layer_rise(const f64::Terrain& terrain) { return terrain.ridged ? 1.2 * noise_slope : 0.5 * noise_slope; }
+double layer_range(const f64::Terrain& terrain) { return terrain.ridged ? 1.0 : 0.5 + 0.5 * noise_range; }
+
+// As much as the craters of one size rise above the ground: where the rims of all eight cells around a place meet, and
+// per distance; both in cells. Depth is at most 0.4 of a radius of at most 0.28; the rim is 0.22 depths high, no slope
+// is above 2.25 depths a radius (tests/laws/craters_test.cpp).
+constexpr double rims = 8.0 * 0.4 * 0.28 * 0.22, rim_slope = 8.0 * 0.4 * 2.25;
+
+// The sum of layers (0..1) at which the ground has a height; above 1: never.
+double sum_for_height(double value, const f64::Terrain& terrain) {
+  if (terrain.height <= 0.0) return 2.0;
+  if (terrain.power == 0.0) return value > terrain.height ? 2.0 : 0.0;
+  return value > terrain.height ? 2.0 : std::pow(std::max(value / terrain.height, 0.0), 1.0 / terrain.power);
+}
+
+}  // namespace
+
+Ground::Ground(const Scene& scene) : terrain_(exact_terrain_of(scene)) {
+  total_ = 0.0;
+  double amplitude = 1.0;
+  for (int i = 0; i < terrain_.octaves; ++i, amplitude *= terrain_.persistence) total_ += amplitude;
+  highest_ = 1.0 + (terrain_.octaves > 0 ? terrain_.height : 0.0);
+  if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
+    highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + f64::ice_thickness);
+}
+
+f64::Height Ground::height_at(const glm::dvec3& direction) const {
+  return f64::terrain_height_at(direction, terrain_, 0.25 / finest);
+}
+
+double Ground::most_dug_up(const glm::dvec3& direction, double chord) const {
+  const f64::Craters& craters = terrain_.craters;
+  if (craters.depth <= 0.0) return 0.0;
+  double most = 0.0, frequency = craters.frequency;
+  for (int i = 0; i < craters.sizes; ++i, frequency *= 1.41421356) most += craters.depth * rims / frequency;
+  double here = 0.0;
+  glm::dvec3 slope(0.0);
+  f64::add_craters(direction, craters, 0.0, here, slope);
+  return std::min(most, here + craters.depth * rim_slope * craters.sizes * chord);
+}
+
+bool Ground::stays_below(const glm::dvec3& direction, double chord, double radius) const {
+  if (highest_ < radius) return true;
+  const bool ice =
+      terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0 && std::abs(direction.z) + chord > terrain_.ice.sine - 0.08;
+  if (ice && 1.0 + terrain_.ice.sea + f64::ice_thickness >= radius) return false;
+  if (terrain_.octaves == 0) return radius > 1.0;
+  const double dug_up = most_dug_up(direction, chord) / std::max(terrain_.height, 1e-12);
+  const double allowed = (sum_for_height(radius - 1.0, terrain_) - dug_up) * total_;
+  const double rise = layer_rise(terrain_), range = layer_range(terrain_);
+  double known = 0.0, unknown = total_, amplitude = 1.0, frequency = terrain_.frequency;
+  for (int i = 0; i < terrain_.octaves; ++i) {
+    if (known + unknown * range < allowed) return true;
+    // Noise that may take any value within the distance is not worth asking for: nor are all finer layers.
+    if (rise * frequency * chord > 2.0 || frequency > finest) return false;
+    const glm::dvec3 place = direction * frequency + f64::layer_offset(i, terrain_.seed);
+    const double noise = f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(i, terrain_.seed)).value;
+    const double value = f64::layer_value(noise, terrain_.ridged, terrain_.sharpness);
+    known += amplitude * std::min(value + rise * frequency * chord, range);
+    unknown -= amplitude;
+    amplitude *= terrain_.persistence;
+    frequency *= terrain_.lacunarity;
+  }
+  return known < allowed;
+}
+
+std::optional<double> Ground::hit(const Ray& ray, double before, const Resolution& resolution) const {
+  const std::optional<Span> shell = within_sphere(ray, highest_ * (1.0 + 1e-12));
+  if (!shell) return std::nullopt;
+  // The unit sphere lies under all ground.
+  const std::optional<Span> core = within_sphere(ray, 1.0);
+  const double end = core && core->to > 0.0 ? std::max(core->from, 0.0) : shell->to;
+  const Span span = {std::max(shell->from, 0.0), std::min({end, shell->to, before})};
+  const std::optional<double> found = first_hit(*this, ray, span, resolution);
+  if (found || !core || core->from > before || core->from < 0.0) return found;
+  return core->from;
+}
+
+}  // namespace terrella::reference

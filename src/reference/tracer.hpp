@@ -1,0 +1,74 @@
+// What is seen along single rays: the scene itself, by the formulas of shaders/lib in double precision, without a mesh,
+// a map or a level of detail. Lengths in planet radii.
+#pragma once
+
+#include <optional>
+
+#include "planet/pose.hpp"
+#include "reference/cloud_layer.hpp"
+#include "reference/ground.hpp"
+#include "reference/sea.hpp"
+#include "reference/small_lights.hpp"
+#include "scene/scene.hpp"
+
+namespace terrella::reference {
+
+// What is seen in a direction.
+struct Sample {
+  glm::dvec3 light{0.0};   // linear, before exposure
+  double distance;         // from the eye; infinite for the sky
+  glm::dvec3 normal{0.0};  // unit; 0 for the sky
+  double height;           // over the unit sphere; infinite for the sky
+};
+
+// May be asked by several threads at once.
+class Tracer {
+ public:
+  Tracer(const Scene& scene, const View& view);
+  Tracer(const Tracer&) = delete;
+  Tracer& operator=(const Tracer&) = delete;
+
+  // pixel: from the top left of the picture, may be fractional.
+  [[nodiscard]] Sample sample(const glm::dvec2& pixel) const;
+
+  // The same without light, which takes most of the time.
+  [[nodiscard]] Sample geometry(const glm::dvec2& pixel) const;
+
+ private:
+  struct Surface {
+    double distance;
+    glm::dvec3 place;
+    std::optional<WaterAt> water;  // nothing: ground
+  };
+
+  [[nodiscard]] Ray ray_of(const glm::dvec2& pixel) const;
+  [[nodiscard]] std::optional<Surface> surface_along(const Ray& ray) const;
+  [[nodiscard]] f64::Water water_look_at(const Surface& surface) const;
+  [[nodiscard]] Sample measured(const std::optional<Surface>& surface) const;
+  [[nodiscard]] double shade_at(const glm::dvec3& place) const;
+  // place: on the ground.
+  [[nodiscard]] glm::dvec3 light_of_ground(const glm::dvec3& place) const;
+  [[nodiscard]] glm::dvec3 light_of_water(const Ray& ray, const Surface& surface) const;
+  [[nodiscard]] glm::dvec3 light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const;
+  [[nodiscard]] glm::dvec3 light_mirrored(const Ray& mirrored, const f64::LightAt& at) const;
+  [[nodiscard]] glm::dvec3 light_of_sky(const Ray& ray) const;
+  [[nodiscard]] glm::dvec3 before_veils(const Ray& ray, double distance, glm::dvec3 light) const;
+  [[nodiscard]] glm::dvec3 glare(const Ray& ray) const;
+
+  Scene scene_;
+  View view_;
+  Pose pose_;
+  f64::SceneLight light_;
+  f64::Bands bands_;
+  f64::WaterLook look_;
+  f64::Rings rings_;
+  std::optional<Ground> ground_;
+  std::optional<Sea> sea_;
+  std::optional<CloudLayer> clouds_;
+  SmallLights small_lights_;
+  double resolution_;  // of first_hit
+  double water_level_;
+  double free_sun_;  // part of the sun's disc that the planet leaves free
+};
+
+}  // namespace terrella::reference
