@@ -6,9 +6,11 @@
 namespace terrella::reference {
 
 // Surface:
-//   double radius_at(direction)                    exact; direction: unit
-//   bool stays_below(direction, chord, radius)     true only if all of the surface lies below radius in all directions
-//                                                  (unit) that are within chord of the given one
+//   double radius_at(direction)                 exact; direction: unit
+//   bool reaches(direction, radius)             whether it is at least radius there
+//   bool stays_below(direction, chord, radius)  true only if all of the surface lies below radius in all directions
+//   (unit)
+//                                               that are within chord of the given one
 //
 // Halves the span until no piece is left that the surface might reach, or a piece is as short as the resolution: so a
 // crest is missed only if the ray cuts less than that out of it. Then brackets the crossing. At `from` the ray is above
@@ -21,6 +23,11 @@ std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Sp
     const glm::dvec3 place = ray.at(t);
     const double radius = glm::length(place);
     return radius - surface.radius_at(place / radius);
+  };
+  const auto under_surface = [&](double t) {
+    const glm::dvec3 place = ray.at(t);
+    const double radius = glm::length(place);
+    return surface.reaches(place / radius, radius);
   };
   const auto clear = [&](double from, double to) {
     const glm::dvec3 middle = glm::normalize(ray.at(0.5 * (from + to)));
@@ -55,16 +62,16 @@ std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Sp
   const auto search = [&](const auto& self, double from, double to, bool below) -> std::optional<double> {
     if (!below && clear(from, to)) return std::nullopt;
     if (to - from < std::max(resolution.per_distance * from, resolution.least)) {
-      if (below || height_over(to) <= 0.0) return crossing(from, to);
+      if (below || under_surface(to)) return crossing(from, to);
       return std::nullopt;
     }
     const double middle = 0.5 * (from + to);
-    const bool middle_below = height_over(middle) <= 0.0;
+    const bool middle_below = under_surface(middle);
     if (const auto found = self(self, from, middle, middle_below)) return found;
     return middle_below ? std::nullopt : self(self, middle, to, below);
   };
   if (span.to <= span.from) return std::nullopt;
-  return search(search, span.from, span.to, height_over(span.to) <= 0.0);
+  return search(search, span.from, span.to, under_surface(span.to));
 }
 
 }  // namespace terrella::reference

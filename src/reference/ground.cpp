@@ -9,15 +9,28 @@
 namespace terrella::reference {
 namespace {
 
-// The steepest slope and the largest value of simplex noise, per cell (tests/laws/noise_test.cpp measures both).
-constexpr double noise_slope = 6.5, noise_range = 1.02;
+// The steepest slope of simplex noise, the fastest that it changes and the largest value, in cells
+// (tests/laws/noise_test.cpp measures them).
+constexpr double noise_slope = 6.5, noise_curvature = 48.0, noise_range = 1.02;
 
 // Finer layers (cells per radian) doubles and integers of 32 bits place no more.
 constexpr double finest = 1e8;
 
-// The same of a layer: half the noise, or one less its smooth absolute value, whose slope is below 1.2.
-double layer_rise(const f64::Terrain& terrain) { return terrain.ridged ? 1.2 * noise_slope : 0.5 * noise_slope; }
+// The most of a layer.
 double layer_range(const f64::Terrain& terrain) { return terrain.ridged ? 1.0 : 0.5 + 0.5 * noise_range; }
+
+// The least.
+double least_of_layer(const f64::Terrain& terrain) {
+  return terrain.ridged ? 1.0 - noise_range : 0.5 - 0.5 * noise_range;
+}
+
+// The most of a layer within a distance (cells) of a place with the given noise.
+double most_of_layer(const f64::Noise& noise, double distance, const f64::Terrain& terrain) {
+  const double slope = glm::length(noise.gradient) + 0.5 * noise_curvature * distance;
+  const double rise = std::min(noise_slope, slope) * distance;
+  const double most = terrain.ridged ? std::max(std::abs(noise.value) - rise, 0.0) : noise.value + rise;
+  return std::min(f64::layer_value(most, terrain.ridged, terrain.sharpness), layer_range(terrain));
+}
 
 // As much as the craters of one size rise above the ground: where the rims of all eight cells around a place meet, and
 // per distance; both in cells. Depth is at most 0.4 of a radius of at most 0.28; the rim is 0.22 depths high, no slope
@@ -46,6 +59,11 @@ f64::Height Ground::height_at(const glm::dvec3& direction) const {
   return f64::terrain_height_at(direction, terrain_, 0.25 / finest);
 }
 
+f64::Noise Ground::noise_at(const glm::dvec3& direction, double frequency, int layer) const {
+  const glm::dvec3 place = direction * frequency + f64::layer_offset(layer, terrain_.seed);
+  return f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(layer, terrain_.seed));
+}
+
 double Ground::most_dug_up(const glm::dvec3& direction, double chord) const {
   const f64::Craters& craters = terrain_.craters;
   if (craters.depth <= 0.0) return 0.0;
@@ -57,6 +75,25 @@ double Ground::most_dug_up(const glm::dvec3& direction, double chord) const {
   return std::min(most, here + craters.depth * rim_slope * craters.sizes * chord);
 }
 
+bool Ground::reaches(const glm::dvec3& direction, double radius) const {
+  const bool layers_alone = terrain_.craters.depth <= 0.0 && terrain_.ice.sine > 1.0 && terrain_.octaves > 0;
+  if (!layers_alone || highest_ < radius) return highest_ >= radius && radius_at(direction) >= radius;
+  // Far from the surface the coarse layers tell on which side of it the radius lies.
+  constexpr int told_apart = 5;
+  const double wanted = sum_for_height(radius - 1.0, terrain_) * total_;
+  double known = 0.0, unknown = total_, amplitude = 1.0, frequency = terrain_.frequency;
+  for (int i = 0; i < std::min(terrain_.octaves, told_apart); ++i) {
+    known += amplitude * f64::layer_value(noise_at(direction, frequency, i).value, terrain_.ridged, terrain_.sharpness);
+    unknown -= amplitude;
+    if (known + unknown * layer_range(terrain_) < wanted) return false;
+    if (known + unknown * least_of_layer(terrain_) > wanted) return true;
+    amplitude *= terrain_.persistence;
+    frequency *= terrain_.lacunarity;
+    if (frequency > finest) break;
+  }
+  return radius_at(direction) >= radius;
+}
+
 bool Ground::stays_below(const glm::dvec3& direction, double chord, double radius) const {
   if (highest_ < radius) return true;
   const bool ice =
@@ -65,16 +102,13 @@ bool Ground::stays_below(const glm::dvec3& direction, double chord, double radiu
   if (terrain_.octaves == 0) return radius > 1.0;
   const double dug_up = most_dug_up(direction, chord) / std::max(terrain_.height, 1e-12);
   const double allowed = (sum_for_height(radius - 1.0, terrain_) - dug_up) * total_;
-  const double rise = layer_rise(terrain_), range = layer_range(terrain_);
+  const double range = layer_range(terrain_);
   double known = 0.0, unknown = total_, amplitude = 1.0, frequency = terrain_.frequency;
   for (int i = 0; i < terrain_.octaves; ++i) {
     if (known + unknown * range < allowed) return true;
     // Noise that may take any value within the distance is not worth asking for: nor are all finer layers.
-    if (rise * frequency * chord > 2.0 || frequency > finest) return false;
-    const glm::dvec3 place = direction * frequency + f64::layer_offset(i, terrain_.seed);
-    const double noise = f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(i, terrain_.seed)).value;
-    const double value = f64::layer_value(noise, terrain_.ridged, terrain_.sharpness);
-    known += amplitude * std::min(value + rise * frequency * chord, range);
+    if (frequency * chord > 0.4 || frequency > finest) return false;
+    known += amplitude * most_of_layer(noise_at(direction, frequency, i), frequency * chord, terrain_);
     unknown -= amplitude;
     amplitude *= terrain_.persistence;
     frequency *= terrain_.lacunarity;

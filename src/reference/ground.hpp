@@ -17,8 +17,9 @@ class Ground {
   [[nodiscard]] f64::Height height_at(const glm::dvec3& direction) const;
   [[nodiscard]] double radius_at(const glm::dvec3& direction) const { return 1.0 + height_at(direction).value; }
 
-  // As first_hit asks for it. A layer of noise rises at most by its steepest slope times the distance, and never beyond
-  // its range: a bound layer by layer, which ends as soon as it suffices.
+  // As first_hit asks for them: by as many layers as are needed to tell. A layer of noise rises at most by its steepest
+  // slope times the distance, and never beyond its range: a bound layer by layer, which ends as soon as it suffices.
+  [[nodiscard]] bool reaches(const glm::dvec3& direction, double radius) const;
   [[nodiscard]] bool stays_below(const glm::dvec3& direction, double chord, double radius) const;
 
   // Where a ray that begins above the ground meets it, no further than `before`. resolution: as of first_hit.
@@ -28,6 +29,7 @@ class Ground {
   [[nodiscard]] double highest() const { return highest_; }
 
  private:
+  [[nodiscard]] f64::Noise noise_at(const glm::dvec3& direction, double frequency, int layer) const;
   [[nodiscard]] double most_dug_up(const glm::dvec3& direction, double chord) const;
 
   f64::Terrain terrain_;

@@ -18,11 +18,20 @@ Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
     : radius_(water_radius(scene)), whole_depth_(1.0), ground_(ground) {
   if (scene.water.model != water_calm) sea_ = make_sea(scene, seconds);
   whole_depth_ = whole_wave_depth(scene, sea_);
-  for (const f64::Wave& wave : sea_.waves) most_shift_ += wave.pinch;
+  // A wave that fades around its origin changes by half as much again.
+  for (const f64::Wave& wave : sea_.waves) {
+    most_shift_ += wave.pinch;
+    most_squeeze_ += 1.5 * wave.pinch * wave.wavenumber * wave.wavenumber;
+    most_curvature_ += 1.5 * wave.amplitude * wave.wavenumber * wave.wavenumber;
+  }
 }
 
 double Sea::depth_at(const glm::dvec3& direction) const {
   return ground_ != nullptr ? radius_ - ground_->radius_at(direction) : bottomless;
+}
+
+bool Sea::deep_around(const glm::dvec3& direction, double distance) const {
+  return ground_ == nullptr || ground_->stays_below(direction, distance, radius_ - whole_depth_);
 }
 
 f64::WaveSum Sea::whole_sum(const glm::dvec3& still, const f64::Frame& frame) const {
@@ -31,13 +40,13 @@ f64::WaveSum Sea::whole_sum(const glm::dvec3& still, const f64::Frame& frame) co
   return sum;
 }
 
-WaterAt Sea::from(const glm::dvec3& still) const {
+WaterAt Sea::from(const glm::dvec3& still, bool deep) const {
   WaterAt at;
   at.still = still;
   at.frame = f64::frame_at(still);
+  at.depth = ground_ == nullptr ? bottomless : whole_depth_;
   glm::dvec2 slope(0.0);
-  at.depth = bottomless;
-  if (ground_ != nullptr) {
+  if (!deep) {
     const f64::Height ground = ground_->height_at(still);
     at.depth = radius_ - 1.0 - ground.value;
     slope = {glm::dot(ground.gradient, at.frame.east), glm::dot(ground.gradient, at.frame.north)};
@@ -48,37 +57,72 @@ WaterAt Sea::from(const glm::dvec3& still) const {
 }
 
 WaterAt Sea::over(const glm::dvec3& direction) const {
-  WaterAt at = from(direction);
-  if (sea_.waves.empty()) return at;
+  WaterAt at = over(direction, deep_around(direction, 1.01 * most_shift_));
+  at.depth = depth_at(at.still);
+  return at;
+}
+
+WaterAt Sea::over(const glm::dvec3& direction, bool deep, double beside) const {
+  WaterAt at = from(direction, deep);
   // Newton's method over the sphere: how far the water lies aside of the direction, over how it moves with its still
   // place.
-  constexpr int most_steps = 12;
-  for (int i = 0; i < most_steps; ++i) {
+  constexpr int most_steps = 16;
+  for (int i = 0; i < most_steps && has_waves(); ++i) {
     const glm::dvec3 aside = direction * glm::length(at.place) - at.place;
     const glm::dvec2 miss(glm::dot(aside, at.frame.east), glm::dot(aside, at.frame.north));
-    if (std::abs(miss.x) + std::abs(miss.y) < 1e-14) break;
+    const double missed = std::abs(miss.x) + std::abs(miss.y);
+    const double gap = beside > 0.0 ? std::abs(glm::length(at.place) - beside) : 0.0;
+    if (missed < std::max(1e-13, 0.02 * gap)) break;
     const double a = radius_ + at.sum.height + at.sum.stretch_ee, b = at.sum.stretch_en;
     const double c = at.sum.stretch_ne, d = radius_ + at.sum.height + at.sum.stretch_nn;
     const double area = std::max(a * d - b * c, 0.02);  // small steps where the surface is about to fold
     const glm::dvec2 move(glm::dvec2(d * miss.x - b * miss.y, a * miss.y - c * miss.x) / area);
-    at = from(glm::normalize(at.still + move.x * at.frame.east + move.y * at.frame.north));
+    at = from(glm::normalize(at.still + move.x * at.frame.east + move.y * at.frame.north), deep);
   }
   return at;
 }
 
+// The highest radius of deep water over all directions within chord of that of the given water, from how steep it is
+// and how tightly it is squeezed there and how fast both may change.
+double Sea::most_of_deep_water(const WaterAt& middle, double chord) const {
+  const f64::WaveSum& sum = middle.sum;
+  // The least by which water over a direction moves as its still place does.
+  const double widest = glm::length(glm::dvec4(sum.stretch_ee, sum.stretch_en, sum.stretch_ne, sum.stretch_nn));
+  const double least = 0.98 * (1.0 - widest);
+  const double under_root = least * least - 2.0 * most_squeeze_ * chord;
+  double away = chord + 2.0 * most_shift_;
+  if (least > 0.0 && under_root > 0.0) away = std::min(away, 1.02 * 2.0 * chord / (least + std::sqrt(under_root)));
+  const double slope = glm::length(sum.slope) + glm::length(sum.shift);
+  return glm::length(middle.place) + 1.02 * slope * away + 0.5 * most_curvature_ * away * away;
+}
+
+bool Sea::reaches(const glm::dvec3& direction, double radius) const {
+  if (radius_ + sea_.highest < radius) return false;
+  const bool deep = deep_around(direction, 1.01 * most_shift_);
+  return glm::length(over(direction, deep, radius).place) >= radius;
+}
+
+// The highest radius of water of any depth over all directions within chord of a direction: of any still place from
+// which water may come to lie there.
+double Sea::most_of_shallow_water(const glm::dvec3& direction, double chord) const {
+  const f64::WaveSum sum = whole_sum(direction, f64::frame_at(direction));
+  const double shift = glm::length(sum.shift);
+  const double widest = glm::length(glm::dvec4(sum.stretch_ee, sum.stretch_en, sum.stretch_ne, sum.stretch_nn));
+  // From how far it may come: each bound on the way gives a smaller one on how far water is moved there.
+  double away = chord + 1.01 * most_shift_;
+  for (int i = 0; i < 4; ++i)
+    away = std::min(away, chord + 1.01 * (shift + widest * away + 0.5 * most_squeeze_ * away * away));
+  const double rise = 1.02 * (glm::length(sum.slope) + shift) * away + 0.5 * most_curvature_ * away * away;
+  // The ground holds crests and troughs back, down to the still water.
+  return radius_ + std::clamp(sum.height + rise, 0.0, sea_.highest);
+}
+
 bool Sea::stays_below(const glm::dvec3& direction, double chord, double radius) const {
   if (radius_ + sea_.highest < radius) return true;
-  if (sea_.waves.empty()) return radius_ < radius;
-  // Water that may lie over the directions, from its middle on.
-  const double around = chord + 1.01 * most_shift_;
-  double rise = 0.0;
-  // A wave's height has at most the slope of a sine; where it fades around its origin, a quarter more.
-  for (const f64::Wave& wave : sea_.waves) rise += wave.amplitude * std::min(2.0, 1.25 * wave.wavenumber * around);
-  const double height = whole_sum(direction, f64::frame_at(direction)).height + rise;
-  if (height >= 0.0) return radius_ + height < radius;
-  // A trough is held where the water is shallow.
-  const bool deep = ground_ == nullptr || ground_->stays_below(direction, around, radius_ - whole_depth_);
-  return radius_ + (deep ? height : 0.0) < radius;
+  if (!has_waves()) return radius_ < radius;
+  if (most_of_shallow_water(direction, chord) < radius) return true;
+  return deep_around(direction, chord + 2.02 * most_shift_) &&
+         most_of_deep_water(over(direction, true), chord) < radius;
 }
 
 std::optional<double> Sea::hit(const Ray& ray, double before, const Resolution& resolution) const {

@@ -35,18 +35,29 @@ class Sea {
 
   // As first_hit asks for them.
   [[nodiscard]] double radius_at(const glm::dvec3& direction) const { return glm::length(over(direction).place); }
+  [[nodiscard]] bool reaches(const glm::dvec3& direction, double radius) const;
   [[nodiscard]] bool stays_below(const glm::dvec3& direction, double chord, double radius) const;
 
   // Where a ray that begins above the water meets it, no further than `before`.
   [[nodiscard]] std::optional<double> hit(const Ray& ray, double before, const Resolution& resolution) const;
 
  private:
-  [[nodiscard]] WaterAt from(const glm::dvec3& still) const;
+  // The water of a still place. deep: the ground is known to be too deep there to be felt.
+  [[nodiscard]] WaterAt from(const glm::dvec3& still, bool deep) const;
+  // The water over a direction, which lies within most_shift_ of its still place. beside: a radius; it is enough to
+  // know on which side of it the water lies; 0: find it to the precision of doubles.
+  [[nodiscard]] WaterAt over(const glm::dvec3& direction, bool deep, double beside = 0.0) const;
+  // Whether the waves of all still places within a distance of a direction are whole.
+  [[nodiscard]] bool deep_around(const glm::dvec3& direction, double distance) const;
   [[nodiscard]] f64::WaveSum whole_sum(const glm::dvec3& still, const f64::Frame& frame) const;
+  [[nodiscard]] double most_of_shallow_water(const glm::dvec3& direction, double chord) const;
+  [[nodiscard]] double most_of_deep_water(const WaterAt& middle, double chord) const;
 
   terrella::Sea sea_;
   double radius_, whole_depth_;
   double most_shift_ = 0.0;  // no water moves further aside
+  // No wave changes its slope, nor how it moves water aside, faster.
+  double most_curvature_ = 0.0, most_squeeze_ = 0.0;
   const Ground* ground_;
 };
 
