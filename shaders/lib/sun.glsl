@@ -1,5 +1,10 @@
 // The sun as the eye sees it. Angles from its middle are given as tangents.
 
+// Tangent of the angle between a ray (of any length) and the sun (unit); far where the ray leads away from it.
+float tangent_from_sun(vec3 ray, vec3 sun) {
+  return length(cross(ray, sun)) / max(dot(ray, sun), 1.0e-6 * length(ray));
+}
+
 // The disc, 0..1, with an edge about as wide as a pixel. radius, pixel: > 0.
 float disc_of_sun(float away, float radius, float pixel) {
   return 1.0 - smoothstep(radius - pixel, radius + pixel, away);

@@ -7,10 +7,10 @@ uniform float reach;   // as in the vertex stage
 uniform float disc;    // brightness of each
 uniform float glare;
 
-in vec2 sun_place;
+in vec3 sun_ray;
 
 void main() {
-  float away = length(sun_place);
+  float away = tangent_from_sun(sun_ray, sun_direction.xyz);
   float shape = disc * disc_of_sun(away, radius, ray_forward.w) + glare * glare_of_sun(away, radius, reach);
   emit_veil(sunlight_at_eye(scene_light()) * shape, 0.0);
 }

@@ -66,7 +66,7 @@ WaterAt Sea::over(const glm::dvec3& direction, bool deep, double beside) const {
   WaterAt at = from(direction, deep);
   // Newton's method over the sphere: how far the water lies aside of the direction, over how it moves with its still
   // place.
-  constexpr int most_steps = 16;
+  constexpr int most_steps = 40;
   for (int i = 0; i < most_steps && has_waves(); ++i) {
     const glm::dvec3 aside = direction * glm::length(at.place) - at.place;
     const glm::dvec2 miss(glm::dot(aside, at.frame.east), glm::dot(aside, at.frame.north));
@@ -75,8 +75,10 @@ WaterAt Sea::over(const glm::dvec3& direction, bool deep, double beside) const {
     if (missed < std::max(1e-13, 0.02 * gap)) break;
     const double a = radius_ + at.sum.height + at.sum.stretch_ee, b = at.sum.stretch_en;
     const double c = at.sum.stretch_ne, d = radius_ + at.sum.height + at.sum.stretch_nn;
-    const double area = std::max(a * d - b * c, 0.02);  // small steps where the surface is about to fold
-    const glm::dvec2 move(glm::dvec2(d * miss.x - b * miss.y, a * miss.y - c * miss.x) / area);
+    // At a shore, where the ground holds waves back, the surface may fold; steps are held there.
+    const double area = std::max(a * d - b * c, 0.05);
+    glm::dvec2 move(glm::dvec2(d * miss.x - b * miss.y, a * miss.y - c * miss.x) / area);
+    move *= std::min(1.0, (i < 8 ? 1.0 : 0.25) * most_shift_ / glm::length(move));
     at = from(glm::normalize(at.still + move.x * at.frame.east + move.y * at.frame.north), deep);
   }
   return at;

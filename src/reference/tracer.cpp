@@ -153,9 +153,8 @@ glm::dvec3 Tracer::light_of_sky(const Ray& ray) const {
     light += f64::band_light(milky_band_brightness(scene_, ray.direction), scene_.stars.brightness) *
              f64::sky_shown(ray.direction, light_);
   }
-  const double toward = glm::dot(ray.direction, light_.sun);
-  if (scene_.sun.size > 0.0 && toward > 0.0) {
-    const double away = glm::length(glm::cross(ray.direction, light_.sun)) / toward;
+  if (scene_.sun.size > 0.0) {
+    const double away = f64::tangent_from_sun(ray.direction, light_.sun);
     light += f64::sunlight_at_eye(light_) *
              (f64::disc_brightness * f64::disc_of_sun(away, seen_sun_radius(scene_), pose_.pixel_angle));
   }
@@ -163,11 +162,9 @@ glm::dvec3 Tracer::light_of_sky(const Ray& ray) const {
 }
 
 glm::dvec3 Tracer::glare(const Ray& ray) const {
-  const double toward = glm::dot(ray.direction, light_.sun);
   const double strength = f64::glare_brightness * free_sun_ * scene_.sun.glare;
-  if (strength <= 0.0 || toward <= 0.0) return glm::dvec3(0.0);
-  const double away = glm::length(glm::cross(ray.direction, light_.sun)) / toward;
-  if (away >= f64::glare_reach) return glm::dvec3(0.0);
+  const double away = f64::tangent_from_sun(ray.direction, light_.sun);
+  if (strength <= 0.0 || away >= f64::glare_reach) return glm::dvec3(0.0);
   return f64::sunlight_at_eye(light_) * (strength * f64::glare_of_sun(away, seen_sun_radius(scene_), f64::glare_reach));
 }
 

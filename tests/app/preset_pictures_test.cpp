@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/still.hpp"
-#include "images/psnr.hpp"
+#include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
 #include "scene/presets.hpp"
 
@@ -56,11 +56,11 @@ TEST(PresetPictures, AreWhatThePresetsShow) {
     Scene scene = presets()[i].scene;
     scene.quality.antialias = false;
     const Image whole = halved(take_picture(renderer, scene, options));
-    const double likeness = test::psnr(texture_as_image(pictures.textures()[i]), whole);
+    const double likeness = psnr(texture_as_image(pictures.textures()[i]), whole);
     // Measured 24.2 (alps, whose slopes are finer than the small maps) to 40.9 dB.
     EXPECT_GT(likeness, 24.0) << presets()[i].name;
     const GLuint next = pictures.textures()[(i + 1) % presets().size()];
-    EXPECT_LT(test::psnr(texture_as_image(next), whole), likeness - 3.0) << presets()[i].name;
+    EXPECT_LT(psnr(texture_as_image(next), whole), likeness - 3.0) << presets()[i].name;
   }
 }
 

@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/still.hpp"
-#include "images/psnr.hpp"
+#include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
 #include "scene/choices.hpp"
 #include "scene/parameters.hpp"
@@ -25,8 +25,6 @@ StillOptions small(int width = 160, int height = 90) {
   options.height = height;
   return options;
 }
-
-using test::psnr;
 
 double largest_difference(const Image& a, const Image& b) {
   double largest = 0.0;
