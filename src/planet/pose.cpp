@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "formulas/formulas.hpp"
 #include "planet/needs.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
@@ -112,6 +113,7 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
 double top_radius(const Scene& scene) {
   double top = 1.0;
   if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
+  if (has_ground(scene) && has_ice(scene)) top = std::max(top, water_radius(scene) + f64::ice_thickness);
   if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
   if (scene.clouds.model != 0) top = std::max(top, cloud_radius(scene));
   return top;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -137,6 +138,25 @@ TEST(SurfaceRadius, ScalesWithThePlanet) {
     const glm::dvec3 d = places.on_sphere();
     EXPECT_EQ(surface_radius(small, d), surface_radius(large, d));
   }
+}
+
+// What lies higher than this would be cut off by the near end of the depths.
+TEST(TopRadius, IsAboveGroundSeaAndIceEverywhere) {
+  test::Places places(3U);
+  std::vector<Scene> scenes;
+  for (const Preset& preset : presets()) scenes.push_back(preset.scene);
+  Scene low;  // where nothing but the ice around the poles rises over the sea
+  low.terrain.height = 0.0;
+  low.water.level = 1e-4;
+  low.clouds.model = 0;
+  scenes.push_back(low);
+  for (const Scene& scene : scenes) {
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec3 place = direction_of(places.between(-90.0, 90.0), places.between(-180.0, 180.0));
+      EXPECT_LE(surface_radius(scene, place), top_radius(scene) + 1e-7);
+    }
+  }
+  EXPECT_GT(top_radius(low), 1.001);
 }
 
 TEST(PixelOfHeight, IsTheMostThatARadialChangeMayBe) {
