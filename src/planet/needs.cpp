@@ -116,8 +116,9 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
              needs.water == Water::waves ? "fine enough to carry waves"
                                          : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the
-  // shore.
-  needs.water_lift = std::min(icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed);
+  // shore. Never so far that it nears the eye, which in the smallest pictures would not count as an error.
+  needs.water_lift =
+      std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.clearance});
 
   const double cell = 1.0 / water.ripple_frequency;
   const bool seen = cell > 2.0 * pose.pixel_angle * pose.clearance;

@@ -5,7 +5,10 @@
 
 #include <functional>
 
+#include <glm/geometric.hpp>
+
 #include "planet/icosphere_groups.hpp"
+#include "planet/spheres.hpp"
 #include "scene/choices.hpp"
 #include "scene/presets.hpp"
 
@@ -162,6 +165,23 @@ TEST(Needs, GiveAReasonForEveryDecision) {
       EXPECT_FALSE(d.what.empty());
       EXPECT_FALSE(d.chosen.empty());
       EXPECT_GT(d.why.size(), 10U) << d.what;
+    }
+  }
+}
+
+// In a picture of so few rows, an error of 16 pixels is larger than the planet: lifted by it, the sea would lie before
+// the near end of the depths, and one would look through the planet.
+TEST(Needs, NeverLiftTheSeaNearTheEye) {
+  Scene scene;
+  scene.quality.pixel_error = 16.0;
+  for (const int height : {1, 9, 36, 720}) {
+    for (const double altitude : {0.01, 0.3, 2.25, 100.0}) {
+      scene.camera.altitude = altitude;
+      View view;
+      view.width = view.height = height;
+      const Pose pose = pose_of(scene, view);
+      const Needs needs = needs_of(scene, view, pose);
+      EXPECT_LT(water_radius(scene) + needs.water_lift, glm::length(pose.eye) - pose.near) << height << ' ' << altitude;
     }
   }
 }
