@@ -18,13 +18,16 @@
 namespace terrella {
 namespace {
 
-void set_depth_range(Pose& pose, double top, double rings) {
-  const double distance = glm::length(pose.eye);
+// Depths count along the middle of the picture: what lies at its edge has less of it than distance.
+void set_depth_range(Pose& pose, const View& view, double top, double rings) {
+  const double distance = glm::length(pose.eye), outermost = std::max(top, rings);
   const double to_horizon = std::sqrt(std::max(0.0, (distance - 1.0) * (distance + 1.0)));
   pose.far = 1.001 * (to_horizon + std::sqrt(std::max(0.0, (top - 1.0) * (top + 1.0)))) + 2.0 * pose.clearance;
   if (rings > 0.0) pose.far = std::max(pose.far, 1.001 * (distance + rings));
-  // Half of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
-  pose.near = std::max(0.3 * pose.clearance, 0.9 * (distance - std::max(top, rings)));
+  const double at_edge = std::cos(picture_half_angle(pose, view)), ahead = -glm::dot(pose.eye, pose.forward);
+  // A part of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
+  pose.near = 0.3 * std::min(1.0, at_edge / 0.7) * pose.clearance;
+  pose.near = std::max({pose.near, 0.9 * at_edge * (distance - outermost), 0.9 * (ahead - outermost)});
   pose.near = std::min(pose.near, 0.5 * pose.far);
 }
 
@@ -82,7 +85,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.up = glm::cross(pose.right, pose.forward);
   pose.tan_half_fov = view.field * std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
-  set_depth_range(pose, top_radius(scene), rings_radius(scene));
+  set_depth_range(pose, view, top_radius(scene), rings_radius(scene));
   return pose;
 }
 

@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "laws/random_places.hpp"
+#include "planet/spheres.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -138,6 +139,31 @@ TEST(SurfaceRadius, ScalesWithThePlanet) {
     const glm::dvec3 d = places.on_sphere();
     EXPECT_EQ(surface_radius(small, d), surface_radius(large, d));
   }
+}
+
+// Wherever the planet is in the picture, and however wide that is.
+TEST(Pose, DepthRangeBeginsBeforeAllThatIsSeenOfThePlanet) {
+  test::Places places(4U);
+  int seen = 0;
+  for (int i = 0; i < 400; ++i) {
+    Scene scene;
+    scene.camera.altitude = std::pow(10.0, places.between(-2.0, 2.0));
+    scene.camera.pitch = places.between(-90.0, 0.0);
+    scene.camera.fov = places.between(1.0, 170.0);
+    View view;
+    view.width = i % 3 == 0 ? 360 : 32;
+    view.height = 18;
+    const Pose pose = pose_of(scene, view);
+    for (int pixel = 0; pixel < view.width * view.height; ++pixel) {
+      const glm::dvec3 ray = ray_through(pose, view, {pixel % view.width + 0.5, pixel / view.width + 0.5});
+      const double along = -glm::dot(pose.eye, ray), radius = water_radius(scene);
+      const double half2 = radius * radius - glm::dot(pose.eye, pose.eye) + along * along;
+      if (half2 < 0.0 || along < 0.0) continue;
+      ++seen;
+      EXPECT_GT((along - std::sqrt(half2)) * glm::dot(ray, pose.forward), pose.near);
+    }
+  }
+  EXPECT_GT(seen, 100'000);
 }
 
 // What lies higher than this would be cut off by the near end of the depths.
