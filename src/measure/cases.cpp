@@ -188,11 +188,15 @@ void add_times(std::vector<Case>& cases) {
 
 void add_fields(std::vector<Case>& cases) {
   for (const double fov : {1.0, 5.0, 90.0, 150.0, 170.0}) {
-    for (const double altitude : {0.1, 2.25, 100.0}) {
-      Scene scene = cheap_scene();
-      scene.camera.fov = fov;
-      scene.camera.altitude = altitude;
-      cases.push_back({"field", text_of(fov, " degrees from ", altitude, " radii"), scene, view_of(small)});
+    for (const double altitude : {0.01, 0.1, 2.25, 100.0}) {
+      for (const double pitch : {-90.0, -40.0, 0.0}) {
+        Scene scene = cheap_scene();
+        scene.camera.fov = fov;
+        scene.camera.altitude = scene.water.level + altitude;
+        scene.camera.pitch = pitch;
+        const std::string name = text_of(fov, " degrees from ", altitude, " radii, pitch ", pitch);
+        cases.push_back({"field", name, scene, view_of(small)});
+      }
     }
   }
 }

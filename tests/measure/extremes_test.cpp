@@ -6,17 +6,12 @@
 
 #include "gl/caps.hpp"
 #include "measure/examine.hpp"
+#include "measure/extent.hpp"
 #include "measure/studio.hpp"
 #include "scene/parameters.hpp"
 
 namespace terrella {
 namespace {
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr Extent extent = Extent::sample;
-#else
-constexpr Extent extent = Extent::quick;
-#endif
 
 class Extremes : public testing::TestWithParam<Api> {};
 
@@ -24,7 +19,7 @@ TEST_P(Extremes, AreDrawnFiniteWholeAndWithinTheirCost) {
   test::Studio studio(GetParam());
   ASSERT_TRUE(gl::caps().full_float_targets);
   std::int64_t looked_at = 0;
-  for (const Case& entry : extreme_cases(extent)) {
+  for (const Case& entry : extreme_cases(test::extent)) {
     const Findings found = examine(studio.renderer, entry);
     EXPECT_TRUE(found.clean()) << entry.group << ", " << entry.name << ": " << found.text();
     looked_at += found.holes.looked_at;
