@@ -12,6 +12,7 @@
 #include "native/egl_context.hpp"
 #include "native/failures.hpp"
 #include "native/options.hpp"
+#include "planet/validity.hpp"
 
 namespace terrella {
 namespace {
@@ -132,6 +133,18 @@ void print_needs(const Needs& needs) {
   }
 }
 
+std::vector<std::string> beyond_range(const Renderer& renderer, const Task& task) {
+  View view;
+  view.width = task.still.width;
+  view.height = task.still.height;
+  view.seconds = task.still.seconds;
+  std::vector<std::string> sentences;
+  for (const Issue& issue : beyond_validity(task.scene, view, renderer.pose(), renderer.needs())) {
+    sentences.push_back(issue.text());
+  }
+  return sentences;
+}
+
 // Draws and writes; returns what went wrong, or nothing.
 std::string render(const RenderOptions& options, const Task& task) {
   const auto start = std::chrono::steady_clock::now();
@@ -162,8 +175,7 @@ std::string render(const RenderOptions& options, const Task& task) {
   report.height = task.still.height;
   report.frames = 1 + options.frames;
   report.needs = renderer.needs();
-  if (renderer.pose().raised)
-    report.issues.push_back("camera.altitude: the camera was under the surface and was raised above it.");
+  report.issues = beyond_range(renderer, task);
   const Result<Done> done = write_file_whole(options.stats, to_json(report) + "\n");
   return done ? std::string() : done.sentence();
 }

@@ -64,6 +64,7 @@ Findings examine(Renderer& renderer, const Case& entry) {
   found.lying = lying_normals(draw(renderer, entry, Channel::normal));
   const std::vector<float> again = draw(renderer, entry, Channel::color);
   found.repeats = found.nonfinite > 0 || again == light;
+  // Here a sampled part of the cases is to be compared with a reference picture, once there is one.
   found.over_cost = beyond(renderer.stats(), promised_cost(renderer.needs(), entry.view, bytes_a_pixel));
   found.gl_error = take_gl_error();
   found.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

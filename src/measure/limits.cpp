@@ -369,7 +369,8 @@ bool Limit::keeps_its_word() const { return worst_within() <= demand; }
 double Limit::worst_within() const {
   double worst = 0.0;
   for (const LimitPoint& point : points) {
-    if (!point.warned) worst = std::max(worst, point.error);
+    if (point.warned) continue;
+    worst = std::isnan(point.error) ? std::numeric_limits<double>::infinity() : std::max(worst, point.error);
   }
   return worst;
 }
