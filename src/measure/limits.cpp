@@ -140,6 +140,23 @@ Limit fields_of_view(Renderer& renderer) {
       jitter_of_hills(renderer));
 }
 
+// Over the poles the camera is moved along a meridian.
+Limit latitudes(Renderer& renderer) {
+  return follow(
+      {"ground", "camera.latitude", "deg", hills_error, outline_demand, {}}, bare_ground("moon"),
+      {-90.0, -89.9999, -45.0, 0.0, 45.0, 89.9999, 90.0},
+      [](Scene& scene, View&, double value) { scene.camera.latitude = value; }, jitter_of_hills(renderer));
+}
+
+Limit waves_at_all_times(Renderer& renderer) {
+  Scene start = usual(find_preset("storm")->scene);
+  start.clouds.model = none;
+  start.camera.altitude = 0.3;
+  return follow(
+      {"waves", "time", "s", hills_error, outline_demand, {}}, start, {0.0, 1.0, 1e3, 1e6, 1e9},
+      [](Scene&, View& view, double value) { view.seconds = value; }, jitter_of_hills(renderer));
+}
+
 Limit terrain_heights(Renderer& renderer) {
   Scene start = bare_ground("alps");
   start.camera.pitch = -60.0;
@@ -384,7 +401,9 @@ std::vector<Limit> measure_limits(Renderer& renderer, Extent extent) {
   if (extent == Extent::sample) return limits;
   limits.push_back(ground_from_all_heights(renderer, 1.0));
   limits.push_back(ground_from_all_heights(renderer, 1e8));
+  limits.push_back(latitudes(renderer));
   limits.push_back(sea_from_all_heights(renderer));
+  limits.push_back(waves_at_all_times(renderer));
   limits.push_back(fields_of_view(renderer));
   limits.push_back(terrain_heights(renderer));
   limits.push_back(water_levels(renderer));
