@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -364,6 +365,31 @@ Invariance turned_by(Renderer& renderer, double longitude, double latitude, doub
           "root of the mean square difference of light", std::pow(10.0, -0.05 * light_psnr(as_it_is, after)), bound};
 }
 
+// After a million whole periods of all that moves in it.
+Invariance repeats_after(Renderer& renderer, const char* what, const Scene& scene, double period, double bound) {
+  constexpr double periods = 1e6;
+  const std::vector<float> first = light_of(renderer, scene, small_view());
+  const std::vector<float> later = light_of(renderer, scene, small_view(periods * period));
+  const std::vector<float> between = light_of(renderer, scene, small_view(0.4 * period));
+  const double apart = std::pow(10.0, -0.05 * light_psnr(first, later));
+  return {text_of(what, ", after a million periods"), "difference of light, as a part of that after 0.4 periods",
+          apart / std::pow(10.0, -0.05 * light_psnr(first, between)), bound};
+}
+
+std::vector<Invariance> repetitions(Renderer& renderer, double bound) {
+  Scene still = cheap("temperate");
+  still.clouds.speed = still.clouds.drift = still.water.ripple_speed = 0.0;
+  Scene drifting = still, rippled = still, waving = still;
+  drifting.clouds.drift = 0.5;
+  rippled.water.ripple_speed = 1.2;
+  rippled.camera.altitude = 0.3;
+  waving.waves.count = 1;
+  waving.camera.altitude = 0.5;
+  return {repeats_after(renderer, "drifting clouds", drifting, 360.0 / drifting.clouds.drift, bound),
+          repeats_after(renderer, "ripples", rippled, 2.0 * std::numbers::pi / rippled.water.ripple_speed, bound),
+          repeats_after(renderer, "a wave", waving, waving.waves.length / waving.waves.speed, bound)};
+}
+
 // How alike in size the changes from frame to frame are: the larger one of two, as a multiple of the other.
 Invariance moves_alike(Renderer& renderer, const char* preset, Channel channel, double bound) {
   const auto mean_change = [&](double from) {
@@ -431,7 +457,9 @@ std::vector<Invariance> measure_invariances(Renderer& renderer, Extent extent) {
   found.push_back(turned_by(renderer, 72.0, 0.0, 1e-3));
   found.push_back(turned_by(renderer, 123.4, 0.0, 1e-3));
   found.push_back(turned_by(renderer, 0.0, 50.0, 1e-3));
-  // Measured: 1.02 and 1.01.
+  // Measured: 0, to the last bit.
+  for (Invariance& repetition : repetitions(renderer, 1e-3)) found.push_back(std::move(repetition));
+  // Measured: 1.03 and 1.001.
   found.push_back(moves_alike(renderer, "temperate", Channel::color, 1.3));
   found.push_back(moves_alike(renderer, "storm", Channel::normal, 1.3));
   return found;
