@@ -16,14 +16,13 @@ const char* name_of(Extent extent) {
   return extent == Extent::full ? "full" : extent == Extent::quick ? "quick" : "sample";
 }
 
-// The furthest value of which nothing is said, and the first of which something is; none: it holds all along.
-const LimitPoint* first_warned(const Limit& limit) {
-  const LimitPoint* before = nullptr;
+// Where the range is left: of the values that are warned of, that with the least error. None: it holds all along.
+const LimitPoint* first_beyond(const Limit& limit) {
+  const LimitPoint* first = nullptr;
   for (const LimitPoint& point : limit.points) {
-    if (!point.warned) continue;
-    if (before == nullptr || point.error < before->error) before = &point;
+    if (point.warned && (first == nullptr || point.error < first->error)) first = &point;
   }
-  return before;
+  return first;
 }
 
 std::string short_number(double value) {
@@ -89,8 +88,7 @@ std::string groups_html(const ExtremesReport& report) {
 std::string points_of(const Limit& limit) {
   std::string text;
   for (const LimitPoint& point : limit.points) {
-    text += text_of(text.empty() ? "" : ", ", short_number(point.value), point.warned ? "*" : "", ": ",
-                    short_number(point.error));
+    text += text_of(text.empty() ? "" : ", ", point.value, point.warned ? "*" : "", ": ", short_number(point.error));
   }
   return text;
 }
@@ -98,9 +96,9 @@ std::string points_of(const Limit& limit) {
 std::string limits_html(const ExtremesReport& report) {
   Table table({"technique", "along", "error", "demand", "worst within", "leaves its range", "value: error"});
   for (const Limit& limit : report.limits) {
-    const LimitPoint* warned = first_warned(limit);
+    const LimitPoint* beyond = first_beyond(limit);
     table.row({limit.technique, text_of(limit.path, ", ", limit.unit), limit.error, short_number(limit.demand),
-               short_number(limit.worst_within()), warned == nullptr ? "nowhere" : "at " + short_number(warned->value),
+               short_number(limit.worst_within()), beyond == nullptr ? "nowhere" : "at " + format_number(beyond->value),
                points_of(limit)},
               !limit.keeps_its_word());
   }
