@@ -1,12 +1,13 @@
 # What there is to do here; `make help` lists it. Set-up is scripts/setup.sh, building is CMake's (CMakePresets.json).
 
-.PHONY: help run test native bench gallery format clean setup-% build-%
+.PHONY: help run test native measure bench gallery format clean setup-% build-%
 .NOTPARALLEL:
 
 help:
 	@echo "make run      build the browser version and serve it on this machine"
 	@echo "make test     build all and run every test"
 	@echo "make native   build the desktop program, build/native/terrella"
+	@echo "make measure  measure what holds at the extremes, as a page in build/measure"
 	@echo "make bench    measure speed, memory and size of both"
 	@echo "make gallery  draw every preset for docs/gallery.md"
 	@echo "make format   lay out the C++ files as .clang-format says"
@@ -22,6 +23,9 @@ test: setup-test build-native build-sanitize build-web
 	ctest --preset native
 	ctest --preset sanitize
 	@if [ -e tests/web/run.mjs ]; then $(MAKE) --no-print-directory test-web; fi
+
+measure: native
+	build/native/terrella measure --extremes --out build/measure
 
 bench: setup-bench build-native build-web tests/web/node_modules/.package-lock.json
 	build/native/bench/terrella_bench

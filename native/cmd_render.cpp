@@ -15,6 +15,7 @@
 #include "native/egl_context.hpp"
 #include "native/failures.hpp"
 #include "native/options.hpp"
+#include "planet/validity.hpp"
 #include "reference/picture.hpp"
 
 namespace terrella {
@@ -148,6 +149,19 @@ void print_needs(const Needs& needs) {
   }
 }
 
+#include "planet/validity.hpp"
+std::vector<std::string> beyond_range(const Renderer& renderer, const Task& task) {
+  View view;
+  view.width = task.still.width;
+  view.height = task.still.height;
+  view.seconds = task.still.seconds;
+  std::vector<std::string> sentences;
+  for (const Issue& issue : beyond_validity(task.scene, view, renderer.pose(), renderer.needs())) {
+    sentences.push_back(issue.text());
+  }
+  return sentences;
+}
+
 // By the reference; a line on a terminal tells how far it is.
 Image reference_image(const RenderOptions& options, const Task& task) {
   reference::Options how;
@@ -215,8 +229,7 @@ std::string render(const RenderOptions& options, const Task& task) {
   }
   report.renderer = gl::caps().renderer;
   report.needs = renderer.needs();
-  if (renderer.pose().raised)
-    report.issues.push_back("camera.altitude: the camera was under the surface and was raised above it.");
+  report.issues = beyond_range(renderer, task);
   return write_stats(options, task, report);
 }
 

@@ -4,6 +4,7 @@
 
 #include "native/cmd_keys.hpp"
 #include "native/cmd_manual.hpp"
+#include "native/cmd_measure.hpp"
 #include "native/cmd_presets.hpp"
 #include "native/cmd_render.hpp"
 #include "native/cmd_view.hpp"
@@ -14,6 +15,7 @@ int main(int count, char** arguments) {
   int exit_code = 0;
   terrella::add_view_command(program, exit_code);
   terrella::add_render_command(program, exit_code);
+  terrella::add_measure_command(program, exit_code);
   terrella::add_manual_command(program);
   terrella::add_presets_command(program);
   terrella::add_keys_command(program);

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "app/imgui_input.hpp"
 #include "app/stats.hpp"
 #include "app/still.hpp"
 #include "base/text.hpp"
 #include "gl/caps.hpp"
+#include "planet/validity.hpp"
 #include "scene/json.hpp"
 #include "scene/link.hpp"
 #include "scene/parameters.hpp"
@@ -283,8 +285,18 @@ PanelFacts Session::facts() const {
   facts.renderer = gl::caps().renderer;
   for (const Decision& d : renderer_->needs().decisions) facts.decisions.push_back({d.what, d.chosen, d.why});
   facts.notices = notices_;
+  facts.beyond = beyond();
   if (preset_pictures_) facts.preset_pictures = preset_pictures_->textures();
   return facts;
+}
+
+std::vector<std::string> Session::beyond() const {
+  if (!renderer_ || frames_ == 0 || comparing_) return {};
+  std::vector<std::string> sentences;
+  for (const Issue& issue : beyond_validity(document_.scene, view(), renderer_->pose(), renderer_->needs())) {
+    sentences.push_back(issue.text());
+  }
+  return sentences;
 }
 
 // The scene
@@ -420,6 +432,7 @@ std::string Session::stats() const {
     report.needs = renderer_->needs();
   }
   report.issues = notices_;
+  for (std::string& sentence : beyond()) report.issues.push_back(std::move(sentence));
   return to_json(report);
 }
 

@@ -142,6 +142,8 @@ class Session {
   void draw_preset_picture();
   void note_frame_time(double now);
   PanelFacts facts() const;
+  // Sentences about what of the scene lies beyond the range in which its technique holds.
+  std::vector<std::string> beyond() const;
   glm::dvec2 to_pixels(glm::dvec2 points) const;
 
   Host host_;

@@ -22,13 +22,21 @@ void link_to(Sheet& sheet, const Parameter* parameter) {
   tooltip("Shows this parameter.");
 }
 
-void show(Sheet& sheet, const std::string& text) {
+// id: one that stays while the numbers in the text change under a hand.
+void show(Sheet& sheet, const std::string& text, int id) {
   const Notice notice = notice_of(text);
-  ImGui::PushID(text.c_str());
+  ImGui::PushID(id);
   link_to(sheet, notice.about);
   ImGui::TextWrapped("%s", notice.sentence.c_str());
   link_to(sheet, notice.suggested);
   ImGui::PopID();
+}
+
+void dismiss_button(Sheet& sheet, float left, float size) {
+  ImGui::SameLine(ImGui::GetCursorPosX() + left, 0.0F);
+  if (ImGui::Button("x", {size, 0.0F})) sheet.wishes.dismiss_notices = true;
+  sheet.place("dismiss");
+  tooltip("Dismiss.");
 }
 
 }  // namespace
@@ -49,7 +57,8 @@ Notice notice_of(std::string_view text) {
 }
 
 void notices_section(Sheet& sheet) {
-  if (sheet.facts.notices.empty()) return;
+  const auto &notices = sheet.facts.notices, &beyond = sheet.facts.beyond;
+  if (notices.empty() && beyond.empty()) return;
   // The ground under the text is as high as the text, which is known only when it has been written.
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.ChannelsSplit(2);
@@ -60,14 +69,13 @@ void notices_section(Sheet& sheet) {
   ImGui::Indent(margin);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - 3.0F * margin);
   ImGui::BeginGroup();
-  for (const std::string& notice : sheet.facts.notices) show(sheet, notice);
+  int id = 0;
+  for (const std::string& notice : notices) show(sheet, notice, id++);
+  for (const std::string& sentence : beyond) show(sheet, sentence, id++);
   ImGui::EndGroup();
   ImGui::PopTextWrapPos();
   ImGui::Unindent(margin);
-  ImGui::SameLine(ImGui::GetCursorPosX() + width - button - margin, 0.0F);
-  if (ImGui::Button("x", {button, 0.0F})) sheet.wishes.dismiss_notices = true;
-  sheet.place("dismiss");
-  tooltip("Dismiss.");
+  if (!notices.empty()) dismiss_button(sheet, width - button - margin, button);
   const ImVec2 to{from.x + width, ImGui::GetCursorScreenPos().y};
   list.ChannelsSetCurrent(0);
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);

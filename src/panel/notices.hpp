@@ -8,7 +8,7 @@
 
 namespace terrella {
 
-// The sentences that there are, until they are dismissed.
+// The sentences that there are: those about input until they are dismissed, those about the scene as long as they hold.
 void notices_section(Sheet& sheet);
 
 // A sentence, as Issue::text() words it, in its parts.

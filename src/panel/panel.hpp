@@ -40,6 +40,7 @@ struct PanelFacts {
   std::vector<unsigned> preset_pictures;  // textures, bottom row first, in the order of presets(): those drawn so far
   std::vector<Decision> decisions;        // what is modelled, how finely and why
   std::vector<std::string> notices;       // sentences about bad input, until dismissed
+  std::vector<std::string> beyond;        // about what lies beyond the range of its technique, for as long as it does
 };
 
 // What the user did to the panel in this frame, beside editing the document.

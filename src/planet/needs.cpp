@@ -89,6 +89,19 @@ int ripple_layers(double frequency, const Pose& pose) {
   return layers;
 }
 
+void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
+  const auto& water = scene.water;
+  const bool calm = needs.water == Water::calm;
+  const bool wanted = calm && (water.ripples > 0.0 || water.crust > 0.0);  // the same noise breaks up a crust
+  const bool seen = 1.0 / water.ripple_frequency > 2.0 * pose.pixel_angle * pose.clearance;
+  if (wanted && seen) needs.ripple_layers = ripple_layers(water.ripple_frequency, pose);
+  decide.add("water.ripples", needs.ripple_layers,
+             !calm     ? "a sea of waves has no other ripples"
+             : !wanted ? "water.ripples and water.crust are 0"
+             : seen    ? "two layers, and finer ones where their ripples are larger than four pixels"
+                       : "a ripple is under two pixels: it only widens the glitter");
+}
+
 void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pose, Decisions& decide) {
   const auto& water = scene.water;
   if (!has_water(scene)) {
@@ -118,16 +131,11 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
              needs.water == Water::waves ? "fine enough to carry waves"
                                          : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the
-  // shore.
-  needs.water_lift = std::min(icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed);
+  // shore. Never so far that it nears the eye, which in the smallest pictures would not count as an error.
+  needs.water_lift =
+      std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.clearance});
 
-  const double cell = 1.0 / water.ripple_frequency;
-  const bool seen = cell > 2.0 * pose.pixel_angle * pose.clearance;
-  if (water.ripples > 0.0 && seen) needs.ripple_layers = ripple_layers(water.ripple_frequency, pose);
-  decide.add("water.ripples", needs.ripple_layers,
-             water.ripples <= 0.0 ? "water.ripples is 0"
-             : seen               ? "two layers, and finer ones where their ripples are larger than four pixels"
-                                  : "a ripple is under two pixels: it only widens the glitter");
+  decide_ripples(needs, scene, pose, decide);
 }
 
 // By how much (rad) the coarsest layer of clouds may turn between two pictures that are blended. Half way between two

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "formulas/formulas.hpp"
 #include "planet/needs.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
@@ -17,13 +18,16 @@
 namespace terrella {
 namespace {
 
-void set_depth_range(Pose& pose, double top, double rings) {
-  const double distance = glm::length(pose.eye);
+// Depths count along the middle of the picture: what lies at its edge has less of it than distance.
+void set_depth_range(Pose& pose, const View& view, double top, double rings) {
+  const double distance = glm::length(pose.eye), outermost = std::max(top, rings);
   const double to_horizon = std::sqrt(std::max(0.0, (distance - 1.0) * (distance + 1.0)));
   pose.far = 1.001 * (to_horizon + std::sqrt(std::max(0.0, (top - 1.0) * (top + 1.0)))) + 2.0 * pose.clearance;
   if (rings > 0.0) pose.far = std::max(pose.far, 1.001 * (distance + rings));
-  // Half of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
-  pose.near = std::max(0.3 * pose.clearance, 0.9 * (distance - std::max(top, rings)));
+  const double at_edge = std::cos(picture_half_angle(pose, view)), ahead = -glm::dot(pose.eye, pose.forward);
+  // A part of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
+  pose.near = 0.3 * std::min(1.0, at_edge / 0.7) * pose.clearance;
+  pose.near = std::max({pose.near, 0.9 * at_edge * (distance - outermost), 0.9 * (ahead - outermost)});
   pose.near = std::min(pose.near, 0.5 * pose.far);
 }
 
@@ -81,7 +85,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.up = glm::cross(pose.right, pose.forward);
   pose.tan_half_fov = view.field * std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
-  set_depth_range(pose, top_radius(scene), rings_radius(scene));
+  set_depth_range(pose, view, top_radius(scene), rings_radius(scene));
   return pose;
 }
 
@@ -112,6 +116,7 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
 double top_radius(const Scene& scene) {
   double top = 1.0;
   if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
+  if (has_ground(scene) && has_ice(scene)) top = std::max(top, water_radius(scene) + f64::ice_thickness);
   if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
   if (scene.clouds.model != 0) top = std::max(top, cloud_radius(scene));
   return top;

@@ -389,5 +389,19 @@ TEST_F(SessionTest, ComparingKeepsTheCamera) {
   EXPECT_EQ(pixels(), dragged);
 }
 
+TEST_F(SessionTest, TellsWhatLiesBeyondTheRangeOfItsTechniqueUntilItNoLongerDoes) {
+  const auto issues = [&] { return nlohmann::json::parse(session.stats())["issues"]; };
+  settle();
+  EXPECT_TRUE(issues().empty());
+  EXPECT_EQ(session.set("terrain.height", "7"), "");
+  EXPECT_EQ(session.set("camera.altitude", "20"), "");
+  settle();
+  ASSERT_EQ(issues().size(), 1U);
+  EXPECT_EQ(issues()[0].get<std::string>().rfind("terrain.height: 7 m is more than", 0), 0U);
+  EXPECT_EQ(session.set("terrain.height", "0.1"), "");
+  settle();
+  EXPECT_TRUE(issues().empty());
+}
+
 }  // namespace
 }  // namespace terrella

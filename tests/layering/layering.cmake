@@ -14,7 +14,7 @@ set(render passes)
 set(reference planet)
 set(panel scene)
 set(app render panel)
-set(measure render)
+set(measure render reference)
 set(rooms base scene formulas planet gl passes render reference panel app measure)
 
 set(faults "")

@@ -5,7 +5,10 @@
 
 #include <functional>
 
+#include <glm/geometric.hpp>
+
 #include "planet/icosphere_groups.hpp"
+#include "planet/spheres.hpp"
 #include "scene/choices.hpp"
 #include "scene/presets.hpp"
 
@@ -16,6 +19,7 @@ struct Case {
   const char* name;
   std::function<void(Scene&)> change;
   std::function<bool(const Needs&)> holds;
+  std::function<void(View&)> see = [](View&) {};
 };
 
 const Case cases[] = {
@@ -142,13 +146,176 @@ const Case cases[] = {
      [](const Needs& n) { return n.ground_level == 7; }},
     {"a coarser error allows a coarser mesh", [](Scene& s) { s.quality.pixel_error = 16.0; },
      [](const Needs& n) { return n.ground_level < 6; }},
+    {"a bare scene needs nothing at all",
+     [](Scene& s) {
+       s.terrain.model = s.water.model = s.clouds.model = s.air.model = s.stars.model = 0;
+       s.rings.density = 0.0;
+     },
+     [](const Needs& n) {
+       return n.ground == Ground::none && n.water == Water::none && n.clouds == Clouds::none && n.air == Air::none &&
+              n.stars == Stars::none && n.night == NightSide::none && n.sun == SunImage::none &&
+              n.rings == Rings::none && !n.moving;
+     }},
+    {"a ground of no layers is flat and needs none at its pixels",
+     [](Scene& s) {
+       s.terrain.octaves = 0;
+       s.camera.altitude = 0.05;
+     },
+     [](const Needs& n) { return n.ground == Ground::icosphere && n.pixel_octaves_first == n.pixel_octaves_end; }},
+    {"a ground of coarse layers needs none at its pixels from close by",
+     [](Scene& s) {
+       s.terrain.octaves = 3;
+       s.camera.altitude = 0.1;
+     },
+     [](const Needs& n) { return n.pixel_octaves_first == n.pixel_octaves_end; }},
+    {"a finer map of the ground leaves fewer layers to its pixels",
+     [](Scene& s) {
+       s.camera.altitude = 0.05;
+       s.quality.ground_texels = 2048;
+     },
+     [](const Needs& n) { return n.ground_texels == 2048 && n.pixel_octaves_first == 8; }},
+    {"from the next star, single pixels need the coarsest of everything", [](Scene& s) { s.camera.altitude = 1e12; },
+     [](const Needs& n) {
+       return n.ground_level == group_level && n.water_level == group_level && n.cloud_level == group_level &&
+              n.cloud_octaves == 1 && n.ripple_layers == 0 && n.pixel_octaves_end == n.pixel_octaves_first;
+     }},
+    {"a narrow field of view needs more at the pixels than a wide one", [](Scene& s) { s.camera.fov = 1.0; },
+     [](const Needs& n) {
+       return n.pixel_octaves_end > n.pixel_octaves_first && n.cloud_pixel_end > n.cloud_pixel_first &&
+              n.ripple_layers > 2;
+     }},
+    {"a wide field of view needs less", [](Scene& s) { s.camera.fov = 170.0; },
+     [](const Needs& n) {
+       return n.ground_level == group_level && n.pixel_octaves_end == n.pixel_octaves_first && n.ripple_layers == 0;
+     }},
+    {"a smooth ground needs no fine mesh", [](Scene& s) { s.terrain.height = 0.0; },
+     [](const Needs& n) { return n.ground_level == group_level; }},
+    {"ground alone has neither water nor ripples",
+     [](Scene& s) {
+       s.water.model = choice("water.model", "none");
+       s.water.ripples = 1.0;
+     },
+     [](const Needs& n) { return n.water == Water::none && n.ripple_layers == 0 && n.water_lift == 0.0; }},
+    {"a sea of waves has no ripples beside them", [](Scene& s) { s.waves.count = 8; },
+     [](const Needs& n) { return n.water == Water::waves && n.ripple_layers == 0; }},
+    {"waves that stand move nothing",
+     [](Scene& s) {
+       s.waves.count = 8;
+       s.waves.speed = s.clouds.speed = s.clouds.drift = 0.0;
+     },
+     [](const Needs& n) { return n.water == Water::waves && !n.moving; }},
+    {"waves that run move",
+     [](Scene& s) {
+       s.waves.count = 8;
+       s.clouds.speed = s.clouds.drift = 0.0;
+     },
+     [](const Needs& n) { return n.moving; }},
+    {"waves on no water",
+     [](Scene& s) {
+       s.waves.count = 8;
+       s.water.level = 0.0;
+     },
+     [](const Needs& n) { return n.water == Water::none; }},
+    {"a crust needs the noise of ripples, which break it up",
+     [](Scene& s) {
+       s.water.ripples = 0.0;
+       s.water.crust = 0.5;
+     },
+     [](const Needs& n) { return n.ripple_layers == 2; }},
+    {"waves need a mesh that can carry them", [](Scene& s) { s.waves.count = 8; },
+     [](const Needs& n) { return n.water_level == 6; }},
+    {"a calm sea does not", [](Scene&) {}, [](const Needs& n) { return n.water_level < 6; }},
+    {"drift alone moves clouds without changing them",
+     [](Scene& s) {
+       s.clouds.speed = s.water.ripple_speed = 0.0;
+       s.clouds.drift = 1.0;
+     },
+     [](const Needs& n) { return n.moving && n.cloud_interval == 0.0; }},
+    {"drift of no clouds moves nothing",
+     [](Scene& s) {
+       s.clouds.model = choice("clouds.model", "none");
+       s.water.ripple_speed = 0.0;
+     },
+     [](const Needs& n) { return !n.moving; }},
+    {"fewer layers of clouds change more slowly", [](Scene& s) { s.clouds.octaves = 2; },
+     [](const Needs& n) { return n.cloud_octaves == 2 && n.cloud_interval > 15.0; }},
+    {"no air by its model alone leaves the rest", [](Scene& s) { s.air.model = choice("air.model", "none"); },
+     [](const Needs& n) { return n.clouds == Clouds::shell && n.stars == Stars::noise && n.ground != Ground::none; }},
+    {"no stars by their model", [](Scene& s) { s.stars.model = choice("stars.model", "none"); },
+     [](const Needs& n) { return n.stars == Stars::none && n.sun == SunImage::none; }},
+    {"no rings", [](Scene&) {}, [](const Needs& n) { return n.rings == Rings::none; }},
+    {"rings", [](Scene& s) { s.rings.density = 0.5; }, [](const Needs& n) { return n.rings == Rings::plane; }},
+    {"rings that end before they begin",
+     [](Scene& s) {
+       s.rings.density = 0.5;
+       s.rings.outer = s.rings.inner;
+     },
+     [](const Needs& n) { return n.rings == Rings::none; }},
+    {"rings beside a planet of nothing else",
+     [](Scene& s) {
+       s.terrain.model = s.water.model = s.clouds.model = s.air.model = 0;
+       s.rings.density = 0.5;
+     },
+     [](const Needs& n) { return n.rings == Rings::plane && n.ground == Ground::none && n.night == NightSide::none; }},
+    {"a dark sun is not drawn",
+     [](Scene& s) {
+       s.sun.latitude = 0.0;
+       s.sun.longitude = 180.0;
+       s.sun.intensity = 0.0;
+     },
+     [](const Needs& n) { return n.sun == SunImage::none; }},
+    {"a sun without glare just beside the picture is not drawn",
+     [](Scene& s) {
+       s.camera.latitude = 0.0;
+       s.camera.pitch = 0.0;
+       s.sun.latitude = 40.0;
+       s.sun.longitude = 90.0;
+       s.sun.glare = 0.0;
+     },
+     [](const Needs& n) { return n.sun == SunImage::none; }},
+    {"a window on its side shows the sun that an upright one does not",
+     [](Scene& s) {
+       s.camera.latitude = 0.0;
+       s.camera.pitch = 0.0;
+       s.sun.latitude = 50.0;  // 40 degrees right of what is ahead
+       s.sun.longitude = 90.0;
+       s.sun.glare = 0.0;
+     },
+     [](const Needs& n) { return n.sun == SunImage::disc; }, [](View& v) { v.width = 4 * v.height; }},
+    {"and the upright one",
+     [](Scene& s) {
+       s.camera.latitude = 0.0;
+       s.camera.pitch = 0.0;
+       s.sun.latitude = 50.0;  // 40 degrees right of what is ahead
+       s.sun.longitude = 90.0;
+       s.sun.glare = 0.0;
+     },
+     [](const Needs& n) { return n.sun == SunImage::none; }, [](View& v) { v.width = v.height / 2; }},
+    {"a picture of one pixel needs the coarsest of everything", [](Scene&) {},
+     [](const Needs& n) {
+       return n.water_level == group_level && n.cloud_level == group_level && n.cloud_octaves == 1 &&
+              n.ripple_layers == 0;
+     },
+     [](View& v) { v.width = v.height = 1; }},
+    {"a picture of many rows needs more than one of few", [](Scene&) {},
+     [](const Needs& n) { return n.ripple_layers > 2 && n.pixel_octaves_end > n.pixel_octaves_first; },
+     [](View& v) {
+       v.width = 7680;
+       v.height = 4320;
+     }},
+    {"time itself changes nothing of what is modelled", [](Scene&) {},
+     [](const Needs& n) {
+       return n.water == Water::calm && n.ripple_layers == 2 && n.cloud_octaves == 5 && n.cloud_interval > 5.0;
+     },
+     [](View& v) { v.seconds = 1e9; }},
 };
 
 TEST(Needs, AreWhatTheTableSays) {
   for (const Case& entry : cases) {
     Scene scene;
     entry.change(scene);
-    const View view;
+    View view;
+    entry.see(view);
     EXPECT_TRUE(entry.holds(needs_of(scene, view, pose_of(scene, view)))) << entry.name;
   }
 }
@@ -162,6 +329,23 @@ TEST(Needs, GiveAReasonForEveryDecision) {
       EXPECT_FALSE(d.what.empty());
       EXPECT_FALSE(d.chosen.empty());
       EXPECT_GT(d.why.size(), 10U) << d.what;
+    }
+  }
+}
+
+// In a picture of so few rows, an error of 16 pixels is larger than the planet: lifted by it, the sea would lie before
+// the near end of the depths, and one would look through the planet.
+TEST(Needs, NeverLiftTheSeaNearTheEye) {
+  Scene scene;
+  scene.quality.pixel_error = 16.0;
+  for (const int height : {1, 9, 36, 720}) {
+    for (const double altitude : {0.01, 0.3, 2.25, 100.0}) {
+      scene.camera.altitude = altitude;
+      View view;
+      view.width = view.height = height;
+      const Pose pose = pose_of(scene, view);
+      const Needs needs = needs_of(scene, view, pose);
+      EXPECT_LT(water_radius(scene) + needs.water_lift, glm::length(pose.eye) - pose.near) << height << ' ' << altitude;
     }
   }
 }

@@ -52,5 +52,28 @@ TEST_F(PanelTest, NoticesAreShownUntilDismissed) {
   EXPECT_TRUE(click("dismiss").dismiss_notices);
 }
 
+TEST_F(PanelTest, WhatLiesBeyondTheRangeIsShownForAsLongAsItDoes) {
+  facts.beyond = {"terrain.frequency: 100 cells in a radius are more than the mesh of the ground can raise."};
+  frames(2);
+  EXPECT_EQ(count_of("notice/terrain.frequency"), 1);
+  EXPECT_EQ(count_of("dismiss"), 0);  // it is the scene that must change
+  EXPECT_EQ(click("notice/terrain.frequency"), PanelWishes{});
+  EXPECT_EQ(count_of("terrain.frequency"), 1);
+  facts.beyond.clear();
+  frames(2);
+  EXPECT_EQ(count_of("notice/terrain.frequency"), 0);
+}
+
+TEST_F(PanelTest, ASentenceWhoseNumbersChangeUnderTheHandStaysALink) {
+  facts.beyond = {"camera.altitude: 0.001 m over the surface ripples swim."};
+  frames(2);
+  point_at("notice/camera.altitude");
+  press();
+  facts.beyond = {"camera.altitude: 0.002 m over the surface ripples swim."};
+  release();
+  frames(2);
+  EXPECT_EQ(count_of("camera.altitude"), 1);
+}
+
 }  // namespace
 }  // namespace terrella

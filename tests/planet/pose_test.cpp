@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include "laws/random_places.hpp"
+#include "planet/spheres.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -137,6 +139,50 @@ TEST(SurfaceRadius, ScalesWithThePlanet) {
     const glm::dvec3 d = places.on_sphere();
     EXPECT_EQ(surface_radius(small, d), surface_radius(large, d));
   }
+}
+
+// Wherever the planet is in the picture, and however wide that is.
+TEST(Pose, DepthRangeBeginsBeforeAllThatIsSeenOfThePlanet) {
+  test::Places places(4U);
+  int seen = 0;
+  for (int i = 0; i < 400; ++i) {
+    Scene scene;
+    scene.camera.altitude = std::pow(10.0, places.between(-2.0, 2.0));
+    scene.camera.pitch = places.between(-90.0, 0.0);
+    scene.camera.fov = places.between(1.0, 170.0);
+    View view;
+    view.width = i % 3 == 0 ? 360 : 32;
+    view.height = 18;
+    const Pose pose = pose_of(scene, view);
+    for (int pixel = 0; pixel < view.width * view.height; ++pixel) {
+      const glm::dvec3 ray = ray_through(pose, view, {pixel % view.width + 0.5, pixel / view.width + 0.5});
+      const double along = -glm::dot(pose.eye, ray), radius = water_radius(scene);
+      const double half2 = radius * radius - glm::dot(pose.eye, pose.eye) + along * along;
+      if (half2 < 0.0 || along < 0.0) continue;
+      ++seen;
+      EXPECT_GT((along - std::sqrt(half2)) * glm::dot(ray, pose.forward), pose.near);
+    }
+  }
+  EXPECT_GT(seen, 100'000);
+}
+
+// What lies higher than this would be cut off by the near end of the depths.
+TEST(TopRadius, IsAboveGroundSeaAndIceEverywhere) {
+  test::Places places(3U);
+  std::vector<Scene> scenes;
+  for (const Preset& preset : presets()) scenes.push_back(preset.scene);
+  Scene low;  // where nothing but the ice around the poles rises over the sea
+  low.terrain.height = 0.0;
+  low.water.level = 1e-4;
+  low.clouds.model = 0;
+  scenes.push_back(low);
+  for (const Scene& scene : scenes) {
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec3 place = direction_of(places.between(-90.0, 90.0), places.between(-180.0, 180.0));
+      EXPECT_LE(surface_radius(scene, place), top_radius(scene) + 1e-7);
+    }
+  }
+  EXPECT_GT(top_radius(low), 1.001);
 }
 
 TEST(PixelOfHeight, IsTheMostThatARadialChangeMayBe) {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace terrella {
+
+// Adds `terrella measure --extremes --out FOLDER …`: what holds at the ends of what can be asked for, as report.json
+// and index.html. Sets exit_code to 1 where this machine could not, or something does not hold, and to 2 for bad input.
+void add_measure_command(CLI::App& program, int& exit_code);
+
+}  // namespace terrella

@@ -1,0 +1,47 @@
+// Where each technique holds: its error along one parameter, and whether the program says that the range was left.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measure/cases.hpp"
+#include "render/renderer.hpp"
+
+namespace terrella {
+
+struct LimitPoint {
+  double value = 0.0;   // of the parameter
+  double error = 0.0;   // infinite where a pixel lost its surface
+  bool warned = false;  // beyond_validity has a sentence about the parameter
+};
+
+struct Limit {
+  std::string technique;  // "ripples"
+  std::string path;       // of the parameter that is varied: "camera.altitude"
+  std::string unit;       // of its values: "m, planet of 1 m"
+  std::string error;      // what the error is, with its unit
+  double demand = 0.0;    // the error that is allowed wherever nothing is said
+  std::vector<LimitPoint> points;
+
+  // No error above the demand goes unsaid.
+  [[nodiscard]] bool keeps_its_word() const;
+  // The worst error where nothing is said.
+  [[nodiscard]] double worst_within() const;
+  // Whether something was said, and with reason: an error above the demand was found there.
+  [[nodiscard]] bool ends() const;
+};
+
+// Each draws small pictures; all of them take some seconds on two cores without a GPU.
+std::vector<Limit> measure_limits(Renderer& renderer, Extent extent);
+
+// What must not change a picture, or not by more than a bound.
+struct Invariance {
+  std::string what;   // "all lengths times 2^20"
+  std::string error;  // what the measured number is
+  double measured = 0.0;
+  double bound = 0.0;  // measured must be at most this much
+  [[nodiscard]] bool holds() const { return measured <= bound; }
+};
+std::vector<Invariance> measure_invariances(Renderer& renderer, Extent extent);
+
+}  // namespace terrella

@@ -1,0 +1,196 @@
+#include "measure/report.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "base/text.hpp"
+
+namespace terrella {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Extent extent) {
+  return extent == Extent::full ? "full" : extent == Extent::quick ? "quick" : "sample";
+}
+
+// Where the range is left: of the values that are warned of, that with the least error. None: it holds all along.
+const LimitPoint* first_beyond(const Limit& limit) {
+  const LimitPoint* first = nullptr;
+  for (const LimitPoint& point : limit.points) {
+    if (point.warned && (first == nullptr || point.error < first->error)) first = &point;
+  }
+  return first;
+}
+
+std::string short_number(double value) {
+  if (std::isinf(value)) return "lost";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&': safe += "&amp;"; break;
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '"': safe += "&quot;"; break;
+      default: safe += c;
+    }
+  }
+  return safe;
+}
+
+class Table {
+ public:
+  explicit Table(std::initializer_list<const char*> heads) {
+    html_ = "<table><thead><tr>";
+    for (const char* head : heads) html_ += text_of("<th>", head, "</th>");
+    html_ += "</tr></thead><tbody>\n";
+  }
+  void row(std::initializer_list<std::string> cells, bool wrong) {
+    html_ += wrong ? "<tr class=wrong>" : "<tr>";
+    for (const std::string& cell : cells) html_ += text_of("<td>", escaped(cell), "</td>");
+    html_ += "</tr>\n";
+  }
+  [[nodiscard]] std::string html() const { return html_ + "</tbody></table>\n"; }
+
+ private:
+  std::string html_;
+};
+
+std::string faults_html(const ExtremesReport& report) {
+  if (report.faults.empty()) return "<p>None.</p>\n";
+  Table table({"context", "case", "what is wrong", "scene, size and time"});
+  for (const Fault& fault : report.faults) {
+    table.row({fault.api, fault.group + ": " + fault.name, fault.text,
+               text_of(fault.link, " --size ", fault.width, "x", fault.height, " --time ", fault.seconds)},
+              true);
+  }
+  return table.html();
+}
+
+std::string groups_html(const ExtremesReport& report) {
+  Table table({"context", "group", "cases", "faulty", "pixels looked at for holes", "seconds"});
+  for (const GroupTally& g : report.groups) {
+    table.row(
+        {g.api, g.group, text_of(g.cases), text_of(g.faulty), text_of(g.hidden), short_number(1e-3 * g.milliseconds)},
+        g.faulty > 0);
+  }
+  return table.html();
+}
+
+std::string points_of(const Limit& limit) {
+  std::string text;
+  for (const LimitPoint& point : limit.points) {
+    text += text_of(text.empty() ? "" : ", ", point.value, point.warned ? "*" : "", ": ", short_number(point.error));
+  }
+  return text;
+}
+
+std::string limits_html(const ExtremesReport& report) {
+  Table table({"technique", "along", "error", "demand", "worst within", "leaves its range", "value: error"});
+  for (const Limit& limit : report.limits) {
+    const LimitPoint* beyond = first_beyond(limit);
+    table.row({limit.technique, text_of(limit.path, ", ", limit.unit), limit.error, short_number(limit.demand),
+               short_number(limit.worst_within()), beyond == nullptr ? "nowhere" : "at " + format_number(beyond->value),
+               points_of(limit)},
+              !limit.keeps_its_word());
+  }
+  return table.html();
+}
+
+std::string invariances_html(const ExtremesReport& report) {
+  Table table({"what", "measured", "number", "at most"});
+  for (const Invariance& found : report.invariances) {
+    table.row({found.what, found.error, short_number(found.measured), short_number(found.bound)}, !found.holds());
+  }
+  return table.html();
+}
+
+constexpr const char* page_head = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>Terrella at the extremes</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<style>
+body { font: 15px/1.45 system-ui, sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem; color: #1c2530; }
+table { border-collapse: collapse; width: 100%; margin: .5rem 0 2rem; }
+th, td { text-align: left; vertical-align: top; padding: .3rem .6rem; border-bottom: 1px solid #d5dbe3; overflow-wrap: anywhere; }
+th { background: #eef2f7; overflow-wrap: normal; }
+.wrong td { background: #fdeaea; }
+</style></head><body>
+)";
+
+}  // namespace
+
+std::string extremes_json(const ExtremesReport& report) {
+  Json json;
+  json["renderer"] = report.renderer;
+  json["extent"] = name_of(report.extent);
+  json["seconds"] = report.seconds;
+  json["holds"] = report.holds();
+  json["groups"] = Json::array();
+  for (const GroupTally& g : report.groups) {
+    json["groups"].push_back({{"context", g.api},
+                              {"group", g.group},
+                              {"cases", g.cases},
+                              {"faulty", g.faulty},
+                              {"hidden_pixels", g.hidden},
+                              {"milliseconds", g.milliseconds}});
+  }
+  json["faults"] = Json::array();
+  for (const Fault& f : report.faults) {
+    json["faults"].push_back({{"context", f.api},
+                              {"group", f.group},
+                              {"name", f.name},
+                              {"link", f.link},
+                              {"size", {f.width, f.height}},
+                              {"time", f.seconds},
+                              {"what", f.text}});
+  }
+  json["limits"] = Json::array();
+  for (const Limit& limit : report.limits) {
+    Json points = Json::array();
+    for (const LimitPoint& p : limit.points)
+      points.push_back({{"value", p.value}, {"error", p.error}, {"warned", p.warned}});
+    json["limits"].push_back({{"technique", limit.technique},
+                              {"path", limit.path},
+                              {"unit", limit.unit},
+                              {"error", limit.error},
+                              {"demand", limit.demand},
+                              {"worst_within", limit.worst_within()},
+                              {"holds", limit.keeps_its_word()},
+                              {"points", points}});
+  }
+  json["invariances"] = Json::array();
+  for (const Invariance& i : report.invariances) {
+    json["invariances"].push_back(
+        {{"what", i.what}, {"error", i.error}, {"measured", i.measured}, {"bound", i.bound}, {"holds", i.holds()}});
+  }
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string extremes_page(const ExtremesReport& report) {
+  std::string page = page_head;
+  page += text_of("<h1>Terrella at the extremes</h1>\n<p>Drawn by ", escaped(report.renderer), ", extent ",
+                  name_of(report.extent), ", in ", short_number(report.seconds),
+                  " s: ", report.holds() ? "all holds" : "<strong>not all holds</strong>", ".</p>\n");
+  page += "<h2>Faults</h2>\n" + faults_html(report);
+  page +=
+      "<h2>Where techniques hold</h2>\n<p>The error of a technique along one parameter. A star marks values of which "
+      "the program says that its range was left; everywhere else the error is at most what is demanded.</p>\n" +
+      limits_html(report);
+  page += "<h2>What changes no picture</h2>\n" + invariances_html(report);
+  page +=
+      "<h2>Cases</h2>\n<p>Each is drawn four times; every pixel must be finite, the planet without a hole, normals of "
+      "unit length, OpenGL without an error, the picture the same when drawn again, and the work within what the needs "
+      "promise.</p>\n" +
+      groups_html(report);
+  return page + "</body></html>\n";
+}
+
+}  // namespace terrella

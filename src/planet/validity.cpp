@@ -1,0 +1,128 @@
+#include "planet/validity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "base/text.hpp"
+#include "planet/icosphere.hpp"
+#include "planet/spheres.hpp"
+#include "planet/terrain.hpp"
+
+namespace terrella {
+namespace {
+
+// Planet radii. Higher ground moves by more than a hundredth of a pixel against the camera (at 10 radii: 0.03), and so
+// does a higher sea (at 10000 radii: 0.15).
+constexpr double most_terrain_height = 3.0;
+constexpr double most_water_level = 100.0;
+
+// Cells on an edge of the mesh. With a quarter of one, triangles miss a seventh of the relief of hills; with half of
+// one, all of it.
+constexpr double most_cells_on_edge = 0.25;
+
+// Cells on a texel of the map of the clouds: with half of one, nothing of them is left.
+constexpr double most_cells_on_texel = 0.3;
+
+// Planet radii by which what water carries swims under a moving camera, because single precision places no finer.
+constexpr double waves_swim = 6e-7, ripples_swim = 2e-7;
+constexpr double most_swim = 0.1;  // pixels
+
+// Phases (rad) larger than this are known to less than a hundredth, in double precision.
+constexpr double most_phase = 1e13;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+void judge_camera(const Scene& scene, const Pose& pose, std::vector<Issue>& issues) {
+  if (!pose.raised) return;
+  const double radius = scene.planet.radius;
+  const double over = radius * (1.0 - glm::length(pose.eye) + pose.clearance) + scene.camera.altitude;
+  issues.push_back({"camera.altitude", over < 0.0 ? "the camera was under the surface and was raised above it."
+                                                  : text_of("the camera comes no nearer to the surface than ",
+                                                            number(least_clearance * radius), " m on this planet.")});
+}
+
+void judge_heights(const Scene& scene, const Needs& needs, std::vector<Issue>& issues) {
+  const double radius = scene.planet.radius;
+  if (needs.ground != Ground::none && scene.terrain.height > most_terrain_height * radius) {
+    issues.push_back({"terrain.height", text_of(number(scene.terrain.height), " m is more than the mesh of the ground ",
+                                                "holds still under a moving camera; it does up to ",
+                                                number(most_terrain_height * radius), " m on this planet.")});
+  }
+  if (needs.water != Water::none && scene.water.level > most_water_level * radius) {
+    issues.push_back({"water.level", text_of(number(scene.water.level), " m is more than the mesh of the sea holds ",
+                                             "still under a moving camera; it does up to ",
+                                             number(most_water_level * radius), " m on this planet.")});
+  }
+}
+
+void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
+  const auto& terrain = scene.terrain;
+  const bool relief = needs.ground != Ground::none && terrain.octaves > 0;
+  const double may_be_missed = scene.quality.pixel_error * pixel_of_height(pose);
+  // A quarter of a cell on an edge was measured to cost a seventh of the relief.
+  const bool shows = terrain.height / scene.planet.radius > 7.0 * may_be_missed;
+  const double most = most_cells_on_edge / icosphere_edge(needs.ground_level);
+  if (!relief || !shows || terrain.frequency <= most) return;
+  issues.push_back(
+      {"terrain.frequency",
+       text_of(number(terrain.frequency), " cells in a radius are more than the mesh ",
+               "of the ground can raise; it does up to ", number(most), ", finer hills are flat and only shaded.")});
+}
+
+void judge_clouds(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
+  if (needs.clouds == Clouds::none) return;
+  const double pixel = pose.pixel_angle * std::abs(glm::length(pose.eye) - cloud_radius(scene));
+  const bool shows = scene.clouds.frequency * pixel < 0.5;
+  const double most = most_cells_on_texel / texel_angle(needs.cloud_texels);
+  if (!shows || scene.clouds.frequency <= most) return;
+  issues.push_back({"clouds.frequency",
+                    text_of(number(scene.clouds.frequency), " cells in a radius are more than the map of the clouds ",
+                            "can hold; it does up to ", number(most), " with quality.cloud_texels ", needs.cloud_texels,
+                            ", finer clouds fade away.")});
+}
+
+void judge_water(const Scene& scene, const View& view, const Pose& pose, const Needs& needs,
+                 std::vector<Issue>& issues) {
+  const bool waves = needs.water == Water::waves, ripples = needs.ripple_layers > 0;
+  if (waves || ripples) {
+    const double nearest = (waves ? waves_swim : ripples_swim) / most_swim / pose.pixel_angle;
+    if (pose.clearance < nearest) {
+      const double radius = scene.planet.radius;
+      issues.push_back({"camera.altitude",
+                        text_of(number(pose.clearance * radius), " m over the surface ", waves ? "waves" : "ripples",
+                                " swim by more than a tenth of a pixel when the camera moves; they hold from ",
+                                number(nearest * radius), " m on.")});
+    }
+  }
+  // Shorter waves are slower, but turn faster: by the root of their length, of which the shortest have a sixth.
+  const auto& w = scene.waves;
+  const double turns_at_once = std::abs(view.seconds) * 2.0 * std::numbers::pi / w.length;
+  const double fastest = most_phase / std::max(1e-300, turns_at_once * std::sqrt(w.count > 1 ? 6.0 : 1.0));
+  if (waves && w.speed > fastest) {
+    issues.push_back(
+        {"waves.speed", text_of(number(w.speed), " m/s is more than can be followed for ", number(view.seconds),
+                                " s; up to ", number(fastest), " m/s waves of this length move as they should.")});
+  }
+}
+
+}  // namespace
+
+std::vector<Issue> beyond_validity(const Scene& scene, const View& view, const Pose& pose, const Needs& needs) {
+  std::vector<Issue> issues;
+  judge_camera(scene, pose, issues);
+  judge_heights(scene, needs, issues);
+  judge_ground(scene, pose, needs, issues);
+  judge_clouds(scene, pose, needs, issues);
+  judge_water(scene, view, pose, needs, issues);
+  return issues;
+}
+
+}  // namespace terrella

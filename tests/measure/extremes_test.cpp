@@ -1,0 +1,54 @@
+// The real renderer at the ends of what can be asked of it. `terrella measure --extremes` draws more.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "gl/caps.hpp"
+#include "measure/examine.hpp"
+#include "measure/extent.hpp"
+#include "measure/studio.hpp"
+#include "scene/parameters.hpp"
+
+namespace terrella {
+namespace {
+
+class Extremes : public testing::TestWithParam<Api> {};
+
+TEST_P(Extremes, AreDrawnFiniteWholeAndWithinTheirCost) {
+  test::Studio studio(GetParam());
+  ASSERT_TRUE(gl::caps().full_float_targets);
+  std::int64_t looked_at = 0;
+  for (const Case& entry : extreme_cases(test::extent)) {
+    const Findings found = examine(studio.renderer, entry);
+    EXPECT_TRUE(found.clean()) << entry.group << ", " << entry.name << ": " << found.text();
+    looked_at += found.holes.looked_at;
+  }
+  EXPECT_GT(looked_at, 10'000);  // that no hole was found says something
+}
+
+INSTANTIATE_TEST_SUITE_P(OnBothKinds, Extremes, testing::Values(Api::core, Api::es),
+                         [](const auto& kind) { return kind.param == Api::core ? "core" : "es"; });
+
+TEST(ExtremeCases, HaveNamesOfTheirOwnAndReachEveryEnd) {
+  std::set<std::string> names;
+  std::set<double> radii, fields, times;
+  for (const Case& entry : extreme_cases(Extent::full)) {
+    EXPECT_TRUE(names.insert(entry.group + '/' + entry.name).second) << entry.name;
+    radii.insert(entry.scene.planet.radius);
+    fields.insert(entry.scene.camera.fov);
+    times.insert(entry.view.seconds);
+  }
+  for (const double radius : {1.0, 1e8}) EXPECT_TRUE(radii.contains(radius));
+  for (const double field : {1.0, 170.0}) EXPECT_TRUE(fields.contains(field));
+  for (const double time : {0.0, 1e9}) EXPECT_TRUE(times.contains(time));
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.type != Type::Float) continue;
+    for (const double end : {parameter.min, parameter.max}) {
+      EXPECT_TRUE(names.contains("single/" + std::string(parameter.path) + " = " + to_text(Value(end))));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace terrella
