@@ -1,5 +1,6 @@
 #include "measure/examine.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +9,7 @@
 #include "gl/api.hpp"
 #include "measure/cost.hpp"
 #include "passes/frame.hpp"
+#include "planet/validity.hpp"
 
 namespace terrella {
 namespace {
@@ -37,6 +39,22 @@ std::int64_t lying_normals(Pixels normals) {
   return count;
 }
 
+// Single samples at places that the reference shows with all its layers and the renderer with those that pixels can
+// show. Measured over a quarter of the quick cases: light at the most 0.19 (the sea in a field of 170 degrees), mostly
+// 0.05; the silhouette at the most one place of 48.
+constexpr double most_light = 0.25, most_silhouette = 0.05;
+
+std::optional<BesideReference> compared(Renderer& renderer, Case entry) {
+  constexpr int fewest_pixels = 16;
+  if (std::min(entry.view.width, entry.view.height) < fewest_pixels) return std::nullopt;
+  entry.scene.quality.pixel_error = std::min(entry.scene.quality.pixel_error, 0.5);
+  entry.scene.quality.ground_texels = std::max(entry.scene.quality.ground_texels, 256);
+  entry.scene.quality.cloud_texels = std::max(entry.scene.quality.cloud_texels, 128);
+  const std::vector<float> light = draw(renderer, entry, Channel::color);
+  if (!beyond_validity(entry.scene, entry.view, renderer.pose(), renderer.needs()).empty()) return std::nullopt;
+  return beside_reference(entry.scene, entry.view, light, draw(renderer, entry, Channel::distance));
+}
+
 }  // namespace
 
 bool Findings::clean() const { return text().empty(); }
@@ -50,10 +68,15 @@ std::string Findings::text() const {
   if (!repeats) say("Drawn again, the picture is another one.");
   if (gl_error != 0) say(text_of("OpenGL tells of error ", gl_error, "."));
   for (const std::string& sentence : over_cost) say(sentence);
+  if (reference && reference->light > most_light)
+    say(text_of("Light is off the reference's by ", reference->light, " in the mean."));
+  if (reference && reference->silhouette > most_silhouette)
+    say(text_of("Only one of picture and reference shows the planet in ", 100.0 * reference->silhouette,
+                " % of places."));
   return text;
 }
 
-Findings examine(Renderer& renderer, const Case& entry) {
+Findings examine(Renderer& renderer, const Case& entry, bool beside) {
   const auto start = std::chrono::steady_clock::now();
   take_gl_error();
   Findings found;
@@ -64,8 +87,8 @@ Findings examine(Renderer& renderer, const Case& entry) {
   found.lying = lying_normals(draw(renderer, entry, Channel::normal));
   const std::vector<float> again = draw(renderer, entry, Channel::color);
   found.repeats = found.nonfinite > 0 || again == light;
-  // Here a sampled part of the cases is to be compared with a reference picture, once there is one.
   found.over_cost = beyond(renderer.stats(), promised_cost(renderer.needs(), entry.view, bytes_a_pixel));
+  if (beside) found.reference = compared(renderer, entry);
   found.gl_error = take_gl_error();
   found.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return found;

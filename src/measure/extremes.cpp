@@ -11,7 +11,7 @@ GroupTally& tally_of(ExtremesReport& report, const std::string& api, const std::
   for (GroupTally& tally : report.groups) {
     if (tally.api == api && tally.group == group) return tally;
   }
-  report.groups.push_back({api, group, 0, 0, 0, 0.0});
+  report.groups.push_back({api, group, 0, 0, 0, 0, 0.0, 0.0});
   return report.groups.back();
 }
 
@@ -35,10 +35,14 @@ void examine_all(Renderer& renderer, const std::string& api, Extent extent, cons
                  ExtremesReport& report) {
   const std::vector<Case> cases = extreme_cases(extent);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Findings found = examine(renderer, cases[i]);
+    const Findings found = examine(renderer, cases[i], compared_with_reference(i));
     GroupTally& tally = tally_of(report, api, cases[i].group);
     ++tally.cases;
     tally.hidden += found.holes.looked_at;
+    if (found.reference) {
+      ++tally.compared;
+      tally.off = std::max(tally.off, found.reference->light);
+    }
     tally.milliseconds += found.milliseconds;
     if (!found.clean()) {
       ++tally.faulty;

@@ -16,6 +16,8 @@ struct GroupTally {
   std::string api, group;  // "core" or "es"; as in Case
   int cases = 0, faulty = 0;
   std::int64_t hidden = 0;  // pixels that were looked at for holes
+  int compared = 0;         // of the cases, with the reference
+  double off = 0.0;         // the worst of how far light was off there
   double milliseconds = 0.0;
 };
 

@@ -13,7 +13,7 @@ namespace {
 ExtremesReport sample() {
   ExtremesReport report;
   report.renderer = "a <driver> & more";
-  report.groups = {{"core", "single", 12, 0, 345, 67.0}};
+  report.groups = {{"core", "single", 12, 0, 345, 2, 0.05, 67.0}};
   report.limits = {{"sea", "water.level", "m", "px", 0.01, {{1.0, 0.001, false}, {1e4, 0.15, true}}}};
   report.invariances = {{"all lengths times 2", "difference", 0.0, 0.0}};
   return report;
