@@ -30,14 +30,17 @@ struct Atmosphere {
 };
 
 // What an integral spends: panels of four points for each of the lower scale heights that a ray passes. In double
-// precision it has converged to 1e-9, in single precision to 1e-6 of an optical depth.
+// precision they converge; in single precision to 1e-6 of an optical depth, and where depths are only to dim scattered
+// light, to 1e-4. Some drivers stop a shader after 65536 turns of its loops.
 #ifdef TERRELLA_DOUBLE
-const float panels_a_height = 2.0;
+const float depth_panels = 2.0;
+const float dimming_panels = 2.0;
 #else
-const float panels_a_height = 0.5;
+const float depth_panels = 0.5;
+const float dimming_panels = 0.25;
 #endif
 
-// Gauss-Legendre's four points: x, place in -1..1; y, weight (they sum to 2).
+// Gauss and Legendre's four points: x, place in -1..1; y, weight (they sum to 2).
 vec2 gauss_point(int i) {
   float x = i == 0 || i == 3 ? 0.8611363115940526 : 0.3399810435848563;
   float weight = i == 0 || i == 3 ? 0.3478548451374538 : 0.6521451548625461;
@@ -62,9 +65,9 @@ vec3 extinction_at(float altitude, Atmosphere a) {
 }
 
 // How many panels a piece of a ray asks for that gains a height.
-int panels_for(float gain, Atmosphere a, float fewest) {
+int panels_for(float gain, Atmosphere a, float panels_a_height) {
   float heights = abs(gain) / min(a.rayleigh_height, a.mie_height);
-  return int(clamp(ceil(panels_a_height * heights), fewest, 512.0));
+  return int(clamp(ceil(panels_a_height * heights), 1.0, 512.0));
 }
 
 // Where a ray is cut for its integral, i = 0..8 in ascending order: its ends, its lowest place, and where it meets the
@@ -79,9 +82,9 @@ float kink_along(int i, float alt, float mu, float way, Atmosphere a) {
   return clamp(kink, 0.0, way);
 }
 
-// Optical depth of a way along a ray from an altitude. mu: cosine of ray and up. Below the ground the air goes on getting
-// denser.
-vec3 optical_depth(float alt, float mu, float way, Atmosphere a) {
+// Optical depth of a way along a ray from an altitude, by so many panels. mu: cosine of ray and up. Below the ground the
+// air goes on getting denser.
+vec3 optical_depth_by(float alt, float mu, float way, Atmosphere a, float panels_a_height) {
   vec3 depth = vec3(0.0);
   float start = 0.0;
   float start_altitude = alt;
@@ -89,17 +92,25 @@ vec3 optical_depth(float alt, float mu, float way, Atmosphere a) {
     float end = kink_along(i, alt, mu, way, a);
     if (end <= start) continue;
     float end_altitude = altitude_along(alt, mu, end, a.bottom);
-    int panels = panels_for(end_altitude - start_altitude, a, 1.0);
+    int panels = panels_for(end_altitude - start_altitude, a, panels_a_height);
     float half_panel = 0.5 * (end - start) / float(panels);
-    for (int j = 0; j < 4 * panels; ++j) {
-      vec2 point = gauss_point(j & 3);
-      float place = start + half_panel * (float(2 * (j >> 2) + 1) + point.x);
-      depth += half_panel * point.y * extinction_at(altitude_along(alt, mu, place, a.bottom), a);
+    for (int j = 0; j < panels; ++j) {
+      float middle = start + half_panel * float(2 * j + 1);
+      vec2 inner = half_panel * gauss_point(2);
+      vec2 outer = half_panel * gauss_point(3);
+      depth += inner.y * (extinction_at(altitude_along(alt, mu, middle - inner.x, a.bottom), a) +
+                          extinction_at(altitude_along(alt, mu, middle + inner.x, a.bottom), a));
+      depth += outer.y * (extinction_at(altitude_along(alt, mu, middle - outer.x, a.bottom), a) +
+                          extinction_at(altitude_along(alt, mu, middle + outer.x, a.bottom), a));
     }
     start = end;
     start_altitude = end_altitude;
   }
   return depth;
+}
+
+vec3 optical_depth(float alt, float mu, float way, Atmosphere a) {
+  return optical_depth_by(alt, mu, way, a, depth_panels);
 }
 
 // The way from an altitude to the top of the air; 0 for a ray that does not come to it.
@@ -161,14 +172,15 @@ Scattered single_scatter(float alt, float mu, float mu_sun, float nu, float way,
     float sun_between = (r * mu_sun + between * nu) / radius_along(alt, mu, between, a.bottom);
     if (!behind_ground(altitude_along(alt, mu, between, a.bottom), sun_between, a)) {
       float gain = altitude_along(alt, mu, end, a.bottom) - altitude_along(alt, mu, start, a.bottom);
-      int panels = panels_for(gain, a, 16.0 * panels_a_height);
+      int panels = max(panels_for(gain, a, depth_panels), int(16.0 * depth_panels));
       float half_panel = 0.5 * (end - start) / float(panels);
       for (int j = 0; j < 4 * panels; ++j) {
         vec2 point = gauss_point(j & 3);
         float place = start + half_panel * (float(2 * (j >> 2) + 1) + point.x);
         float altitude = altitude_along(alt, mu, place, a.bottom);
         float sun = (r * mu_sun + place * nu) / radius_along(alt, mu, place, a.bottom);
-        vec3 depth = optical_depth(alt, mu, place, a) + optical_depth_to_top(altitude, sun, a);
+        vec3 depth = optical_depth_by(alt, mu, place, a, dimming_panels) +
+                     optical_depth_by(altitude, sun, way_to_top(altitude, sun, a), a, dimming_panels);
         vec3 left = half_panel * point.y * exp(-depth);
         light.rayleigh += exp(-altitude / a.rayleigh_height) * left;
         light.mie += exp(-altitude / a.mie_height) * left;

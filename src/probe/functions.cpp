@@ -725,7 +725,7 @@ std::string add_air(Numbers& numbers, const Json& given, double alt) {
 // A path through the air of the earth that meets no ground, or, rarely, through thinner or smaller ones.
 Json random_air(Random& random) {
   if (random.chance(0.7)) return Json::object();
-  const double size = random.log_between(1e-3, 10.0);
+  const double size = random.log_between(1e-2, 10.0);
   return Json{{"bottom", 6.36e6 * size},
               {"top", 6.36e6 * size + 6e4},
               {"rayleigh", list(glm::dvec3(5.8e-6, 13.5e-6, 33e-6) * random.between(0.0, 2.0))},
