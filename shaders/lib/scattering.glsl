@@ -141,32 +141,28 @@ struct Scattered {
 // there, at the edge of the planet's shadow.
 Scattered single_scatter(float alt, float mu, float mu_sun, float nu, float way, vec3 mie, Atmosphere a) {
   float r = a.bottom + alt;
-  // The shadow is a cylinder: the ray is within it between two roots, and behind the planet from where it passes its middle.
+  // The shadow is a cylinder, in which the ray is between two roots. Above the ground it does not leave it at the front.
   float square = (1.0 - nu) * (1.0 + nu);
   float b = r * (mu - mu_sun * nu);
   float c = alt * (2.0 * a.bottom + alt) - r * mu_sun * (r * mu_sun);
   float quarter = b * b - square * c;
-  vec4 cuts = vec4(way);
+  float one = way;
+  float other = way;
   if (quarter >= 0.0 && square > 1.0e-12) {
     float q = b < 0.0 ? sqrt(quarter) - b : -b - sqrt(quarter);
-    cuts.x = q / square;
-    cuts.y = q == 0.0 ? 0.0 : c / q;
+    one = q / square;
+    other = q == 0.0 ? 0.0 : c / q;
   }
-  if (nu != 0.0) cuts.z = -r * mu_sun / nu;
-  cuts.w = -r * mu;
-  cuts = clamp(cuts, vec4(0.0), vec4(way));
-  // In ascending order.
-  vec2 low = vec2(min(cuts.x, cuts.y), min(cuts.z, cuts.w));
-  vec2 high = vec2(max(cuts.x, cuts.y), max(cuts.z, cuts.w));
-  vec2 middle = vec2(max(low.x, low.y), min(high.x, high.y));
-  cuts = vec4(min(low.x, low.y), min(middle.x, middle.y), max(middle.x, middle.y), max(high.x, high.y));
+  // These and the lowest place, in ascending order.
+  vec3 cuts = clamp(vec3(min(one, other), max(one, other), -r * mu), vec3(0.0), vec3(way));
+  cuts = vec3(min(cuts.x, cuts.z), max(cuts.x, min(cuts.y, cuts.z)), max(cuts.y, cuts.z));
 
   Scattered light;
   light.rayleigh = vec3(0.0);
   light.mie = vec3(0.0);
   float start = 0.0;
-  for (int i = 0; i <= 4; ++i) {
-    float end = i == 0 ? cuts.x : i == 1 ? cuts.y : i == 2 ? cuts.z : i == 3 ? cuts.w : way;
+  for (int i = 0; i <= 3; ++i) {
+    float end = i == 0 ? cuts.x : i == 1 ? cuts.y : i == 2 ? cuts.z : way;
     if (end <= start) continue;
     float between = 0.5 * (start + end);
     float sun_between = (r * mu_sun + between * nu) / radius_along(alt, mu, between, a.bottom);

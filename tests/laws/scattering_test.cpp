@@ -228,5 +228,27 @@ TEST(SingleScatter, IsDarkInThePlanetsShadow) {
   EXPECT_GT(twilight.rayleigh.r, 0.0);
 }
 
+// A ray past the dark side of the planet, at right angles to the sun and 500 km behind it: it enters the shadow, runs
+// through it above the ground, and leaves it. In kilometres along the ray from its lowest place the shadow is from
+// -356.5 to 356.5.
+TEST(SingleScatter, IsSplitWhereTheRayEntersAndLeavesTheShadow) {
+  const f64::Atmosphere a = earth();
+  const double behind = 5e5, nearest = 6.35e6, start = 4e5;
+  const double r = std::sqrt(behind * behind + nearest * nearest + start * start);
+  const double edge = std::sqrt(a.bottom * a.bottom - nearest * nearest);
+  const Ray ray = {r - a.bottom, -start / r, -behind / r, 0.0, 2.0 * start};
+  Ray lit = ray, dark = ray;
+  lit.way = start - edge;
+  dark.way = start + edge;
+  const f64::Scattered whole = scattered(ray, a), before = scattered(lit, a), until = scattered(dark, a);
+  const f64::Scattered rest = scattered(rest_of(ray, dark.way, a), a);
+  EXPECT_GT(before.rayleigh.r, 0.0);
+  EXPECT_LT(glm::distance(until.rayleigh, before.rayleigh), 1e-8 * before.rayleigh.r);
+  EXPECT_LT(glm::distance(until.mie, before.mie), 1e-8 * before.mie.r);
+  const glm::dvec3 left = glm::exp(-f64::optical_depth(ray.alt, ray.mu, dark.way, a));
+  EXPECT_GT(left.r * rest.rayleigh.r, 0.1 * whole.rayleigh.r);
+  EXPECT_LT(glm::distance(before.rayleigh + left * rest.rayleigh, whole.rayleigh), 1e-7 * whole.rayleigh.r);
+}
+
 }  // namespace
 }  // namespace terrella
