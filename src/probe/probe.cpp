@@ -87,10 +87,35 @@ std::string understand_args(const Json& request, Request& understood) {
   return {};
 }
 
+// No request is nested deeper than a list in an object in a list of arguments; what is, would not be printed without
+// recursion either.
+bool too_deep(const std::string& line) {
+  constexpr int deepest = 64;
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (in_string && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '{' || c == '[')) {
+      if (++depth > deepest) return true;
+    } else if (!in_string && (c == '}' || c == ']')) {
+      --depth;
+    }
+  }
+  return false;
+}
+
 Request understand(const std::string& line) {
   Request understood;
   if (line.size() > kLongestLine) {
     understood.error = text_of("The line is ", line.size(), " bytes long; at most ", kLongestLine, " are read.");
+    return understood;
+  }
+  if (too_deep(line)) {
+    understood.error = "The line is nested deeper than 64 lists and objects.";
     return understood;
   }
   const Json request = Json::parse(line, nullptr, false);
