@@ -936,12 +936,20 @@ Prepared prepare_noise(const Json& args) {
   const auto count = layered ? static_cast<int>(number_or(args, "octaves", 4.0)) : 1;
   const auto seed = static_cast<unsigned>(number_or(args, "seed", 0.0));
   Numbers numbers = {static_cast<double>(kind), static_cast<double>(count)};
-  const glm::dvec3 near = triple(args, from_camera ? "q" : "p");
+  glm::dvec3 near = triple(args, from_camera ? "q" : "p");
+  glm::dvec3 start = from_camera ? triple(args, "cam") : glm::dvec3(0.0);
+  const auto reach = [&near] { return std::max({std::fabs(near.x), std::fabs(near.y), std::fabs(near.z)}); };
   // A place so far out that its cells would not fit into 32 bits is told from there.
-  constexpr double kFar = 1e6;
-  const bool far = !from_camera && std::max({std::fabs(near.x), std::fabs(near.y), std::fabs(near.z)}) > kFar;
-  const glm::dvec3 start = from_camera ? triple(args, "cam") : far ? near : glm::dvec3(0.0);
-  add(numbers, far ? glm::dvec3(0.0) : near);
+  constexpr double kFar = 1e6, kMostCells = 1e9;
+  if (reach() > kFar) {
+    start += near;
+    near = glm::dvec3(0.0);
+  }
+  if (const double cells = reach() * std::pow(lacunarity, count - 1); cells > kMostCells) {
+    return Failure{text_of("noise: the finest octave is asked for ", cells, " cells away; at most ", kMostCells,
+                           " can be told apart.")};
+  }
+  add(numbers, near);
   numbers.insert(numbers.end(), {std::cos(turned), std::sin(turned), number_or(args, "persistence", 0.5), strength});
   double frequency = 1.0;
   for (int i = 0; i < count; ++i) {
@@ -985,7 +993,8 @@ Numbers allowed_noise(const Case& c) {
 Function noise() {
   Function f;
   f.name = "noise";
-  const Range count{1.0, 32.0}, seeds{0.0, 4294967295.0};
+  const Range count{1.0, 24.0}, seeds{0.0, 4294967295.0}, lacunarities{1.0, 4.0}, persistences{0.0, 1.5},
+      warps{-10.0, 10.0};
   f.args = {{"kind", Kind::word, "", any, false, noise_kinds},
             {"p", Kind::triple, "cells", any, true},
             {"cam", Kind::triple, "cells", any, true},
@@ -993,9 +1002,9 @@ Function noise() {
             {"alpha", Kind::number, "rad", any, true},
             {"seed", Kind::whole, "", seeds, true},
             {"octaves", Kind::whole, "", count, true},
-            {"lacunarity", Kind::number, "", positive, true},
-            {"persistence", Kind::number, "", not_negative, true},
-            {"warp", Kind::number, "", any, true}};
+            {"lacunarity", Kind::number, "", lacunarities, true},
+            {"persistence", Kind::number, "", persistences, true},
+            {"warp", Kind::number, "", warps, true}};
   f.prepare = prepare_noise;
   f.shape = [](const Json& args, std::span<const double>) {
     std::vector<Output> outputs = {{"n", 0}, {"grad", 1, 3}};
