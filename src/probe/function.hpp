@@ -49,7 +49,7 @@ struct Arg {
   std::string_view name;
   Kind kind = Kind::number;
   std::string_view unit = {};  // "m"; empty for a pure number
-  Range range = any;      // of each number in it
+  Range range = any;           // of each number in it
   bool optional = false;
   std::vector<std::string_view> words = {};
   std::vector<Arg> fields = {};

@@ -137,8 +137,8 @@ TEST(NoiseLaws, HasNoPeriodThatIsSeen) {
 }
 
 TEST(NoiseLaws, OctavesAreUnrelatedAroundTheOriginToo) {
-  // Without offsets of their own all octaves are 0 there. A sphere this small holds few waves of noise, so that one seed
-  // says little: the mean of many does.
+  // Without offsets of their own all octaves are 0 there. A sphere this small holds few waves of noise, so that one
+  // seed says little: the mean of many does.
   for (const double radius : {0.5, 2.0}) {
     double mean = 0.0;
     const unsigned seeds = 40U;
