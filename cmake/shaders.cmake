@@ -4,6 +4,7 @@
 #   shaders/<slot>/<stage>     each stage with its includes, checked
 #   shader_sources.cpp         all stages, for gl
 #   formulas/formulas.hpp      shaders/lib as C++, in float and in double
+#   library_text.cpp           shaders/lib as text, for probe
 #   preset_texts.cpp           all presets, for scene
 #   font_bytes.cpp             the panel's font, which is a file of the system's
 
@@ -41,6 +42,11 @@ set(TERRELLA_FORMULAS ${generated}/formulas/formulas.hpp ${generated}/formulas/f
 add_custom_command(OUTPUT ${TERRELLA_FORMULAS}
   COMMAND ${CMAKE_COMMAND} -DGLSL_FOLDERS=${shaders} -DOUT=${generated}/formulas -P ${scripts}/formulas.cmake
   DEPENDS ${formulas} ${scripts}/formulas.cmake ${scripts}/glsl.cmake VERBATIM)
+
+set(TERRELLA_LIBRARY_TEXT ${generated}/library_text.cpp)
+add_custom_command(OUTPUT ${TERRELLA_LIBRARY_TEXT}
+  COMMAND ${CMAKE_COMMAND} -DGLSL_FOLDERS=${shaders} -DOUT=${TERRELLA_LIBRARY_TEXT} -P ${scripts}/library_embed.cmake
+  DEPENDS ${formulas} ${scripts}/library_embed.cmake ${scripts}/glsl.cmake VERBATIM)
 
 set(presets ${PROJECT_SOURCE_DIR}/presets)
 file(GLOB preset_files CONFIGURE_DEPENDS ${presets}/*.json ${presets}/order.txt)

@@ -6,6 +6,7 @@
 #include "native/cmd_manual.hpp"
 #include "native/cmd_measure.hpp"
 #include "native/cmd_presets.hpp"
+#include "native/cmd_probe.hpp"
 #include "native/cmd_render.hpp"
 #include "native/cmd_view.hpp"
 
@@ -19,6 +20,7 @@ int main(int count, char** arguments) {
   terrella::add_manual_command(program);
   terrella::add_presets_command(program);
   terrella::add_keys_command(program);
+  terrella::add_probe_command(program, exit_code);
   try {
     program.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

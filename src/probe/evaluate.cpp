@@ -1,0 +1,90 @@
+#include "probe/evaluate.hpp"
+
+#include "base/check.hpp"
+#include "formulas/formulas.hpp"
+
+// One body, for as many numbers as it was given.
+#define BODIES                                                                               \
+  struct Bodies {                                                                            \
+    const Real* numbers;                                                                     \
+    Real* answers;                                                                           \
+    Real num(int i) const { return numbers[i]; }                                             \
+    vec3 triple(int i) const { return vec3(num(i), num(i + 1), num(i + 2)); }                \
+    uint bits(int i) const { return uint(num(i)) * 65536U + uint(num(i + 1)); }              \
+    void put(int i, Real x) const { answers[i] = x; }                                        \
+    void put3(int i, const vec3& v) const { put(i, v.x), put(i + 1, v.y), put(i + 2, v.z); } \
+    Atmosphere atmosphere(int i) const {                                                     \
+      Atmosphere a;                                                                          \
+      a.bottom = num(i);                                                                     \
+      a.thickness = num(i + 1);                                                              \
+      a.rayleigh = triple(i + 2);                                                            \
+      a.rayleigh_height = num(i + 5);                                                        \
+      a.mie = triple(i + 6);                                                                 \
+      a.mie_height = num(i + 9);                                                             \
+      a.ozone = triple(i + 10);                                                              \
+      a.ozone_center = num(i + 13);                                                          \
+      a.ozone_half = num(i + 14);                                                            \
+      return a;                                                                              \
+    }
+
+#define BODY(name, ...) \
+  void run_##name() const { __VA_ARGS__ }
+
+namespace terrella::f32 {
+namespace {
+BODIES
+#include "probe/bodies.inc"
+};
+}  // namespace
+}  // namespace terrella::f32
+
+namespace terrella::f64 {
+namespace {
+BODIES
+#include "probe/bodies.inc"
+};
+}  // namespace
+}  // namespace terrella::f64
+
+#undef BODY
+
+namespace terrella::probe {
+namespace {
+
+struct Compiled {
+  std::string_view name;
+  void (f32::Bodies::*single)() const;
+  void (f64::Bodies::*twice)() const;
+  std::string_view text;
+};
+
+#define BODY(name, ...) {#name, &f32::Bodies::run_##name, &f64::Bodies::run_##name, #__VA_ARGS__},
+constexpr Compiled all[] = {
+#include "probe/bodies.inc"
+};
+#undef BODY
+
+const Compiled& find(std::string_view name) {
+  for (const Compiled& one : all) {
+    if (one.name == name) return one;
+  }
+  fail_check(__FILE__, __LINE__, "a body for each function", std::string(name));
+}
+
+}  // namespace
+
+Answers<float> evaluate_f32(std::string_view function, std::span<const float> numbers) {
+  Answers<float> answers{};
+  (f32::Bodies{numbers.data(), answers.data()}.*find(function).single)();
+  return answers;
+}
+
+Answers<double> evaluate_f64(std::string_view function, std::span<const double> numbers) {
+  Answers<double> answers{};
+  (f64::Bodies{numbers.data(), answers.data()}.*find(function).twice)();
+  return answers;
+}
+
+std::string_view body_text(std::string_view function) { return find(function).text; }
+
+}  // namespace terrella::probe

@@ -1,0 +1,152 @@
+#include "probe/gpu.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "base/check.hpp"
+#include "gl/caps.hpp"
+#include "gl/target.hpp"
+
+namespace terrella::probe {
+namespace {
+
+constexpr std::size_t kWidth = 1024, kMostRows = 2048;  // of the texture of numbers; OpenGL ES 3.0 has at least 2048
+
+constexpr const char* kBefore = R"(
+#define Real float
+uniform highp sampler2D numbers;
+layout(location = 0) in int start;
+out vec4 answers_low;
+out vec4 answers_high;
+float answers[8];
+float num(int i) {
+  int at = start + i;
+  return texelFetch(numbers, ivec2(at & 1023, at >> 10), 0).x;
+}
+vec3 triple(int i) { return vec3(num(i), num(i + 1), num(i + 2)); }
+uint bits(int i) { return uint(num(i)) * 65536u + uint(num(i + 1)); }
+void put(int i, float x) { answers[i] = x; }
+void put3(int i, vec3 v) { put(i, v.x); put(i + 1, v.y); put(i + 2, v.z); }
+Atmosphere atmosphere(int i) {
+  Atmosphere a;
+  a.bottom = num(i);
+  a.thickness = num(i + 1);
+  a.rayleigh = triple(i + 2);
+  a.rayleigh_height = num(i + 5);
+  a.mie = triple(i + 6);
+  a.mie_height = num(i + 9);
+  a.ozone = triple(i + 10);
+  a.ozone_center = num(i + 13);
+  a.ozone_half = num(i + 14);
+  return a;
+}
+void main() {
+  for (int i = 0; i < 8; ++i) answers[i] = 0.0;
+)";
+
+constexpr const char* kAfter = R"(
+  answers_low = vec4(answers[0], answers[1], answers[2], answers[3]);
+  answers_high = vec4(answers[4], answers[5], answers[6], answers[7]);
+  gl_Position = vec4(0.0);
+}
+)";
+
+void attach(GLuint program, GLenum stage, const std::string& body) {
+  const std::string text =
+      (gl::caps().es ? "#version 300 es\nprecision highp float;\nprecision highp int;\n" : "#version 330 core\n") +
+      body;
+  const GLuint shader = glCreateShader(stage);
+  const char* texts[] = {text.c_str()};
+  glShaderSource(shader, 1, texts, nullptr);
+  glCompileShader(shader);
+  GLint compiled = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  char log[2048] = {};
+  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+  CHECK(compiled == GL_TRUE, log);
+  glAttachShader(program, shader);
+  glDeleteShader(shader);  // lives on as long as it is attached
+}
+
+}  // namespace
+
+GLuint Gpu::program_of(std::string_view function) {
+  const auto known = programs_.find(function);
+  if (known != programs_.end()) return known->second.name();
+  gl::ProgramHandle program;
+  attach(program.name(), GL_VERTEX_SHADER, library_text() + kBefore + std::string(body_text(function)) + kAfter);
+  attach(program.name(), GL_FRAGMENT_SHADER, "out vec4 c;\nvoid main() { c = vec4(0.0); }\n");
+  const char* outputs[] = {"answers_low", "answers_high"};
+  glTransformFeedbackVaryings(program.name(), 2, outputs, GL_INTERLEAVED_ATTRIBS);
+  glLinkProgram(program.name());
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+  char log[2048] = {};
+  glGetProgramInfoLog(program.name(), sizeof log, nullptr, log);
+  CHECK(linked == GL_TRUE, function, ": ", log);
+  return programs_.emplace(std::string(function), std::move(program)).first->second.name();
+}
+
+void Gpu::draw(GLuint program, const std::vector<float>& numbers, const std::vector<GLint>& starts,
+               std::vector<Answers<float>>& answers) {
+  const gl::Target somewhere(1, 1, gl::Format::rgba8, false);  // a context without a window has nowhere to draw to
+  somewhere.begin();
+  const std::size_t rows = (numbers.size() + kWidth - 1) / kWidth;
+  std::vector<float> texels = numbers;
+  texels.resize(rows * kWidth);
+  const gl::TextureHandle texture;
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, static_cast<GLsizei>(kWidth), static_cast<GLsizei>(rows), 0, GL_RED, GL_FLOAT,
+               texels.data());
+
+  const gl::VertexArrayHandle array;
+  const gl::BufferHandle buffer, outcome;
+  glBindVertexArray(array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(starts.size() * sizeof(GLint)), starts.data(), GL_STREAM_DRAW);
+  glEnableVertexAttribArray(0);
+  glVertexAttribIPointer(0, 1, GL_INT, 0, nullptr);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+
+  const auto bytes = static_cast<GLsizeiptr>(starts.size() * sizeof(Answers<float>));
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, outcome.name());
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+  glUseProgram(program);
+  glUniform1i(glGetUniformLocation(program, "numbers"), 0);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(starts.size()));
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  const auto* mapped =
+      static_cast<const Answers<float>*>(glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT));
+  CHECK(mapped != nullptr, "the driver hands no answers back");
+  answers.insert(answers.end(), mapped, mapped + starts.size());
+  glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  glBindVertexArray(0);
+}
+
+std::vector<Answers<float>> Gpu::evaluate(std::string_view function, const std::vector<std::vector<float>>& lists) {
+  const GLuint program = program_of(function);
+  std::vector<Answers<float>> answers;
+  std::vector<float> numbers;
+  std::vector<GLint> starts;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    CHECK(lists[i].size() <= kWidth * kMostRows, lists[i].size());
+    starts.push_back(static_cast<GLint>(numbers.size()));
+    numbers.insert(numbers.end(), lists[i].begin(), lists[i].end());
+    const bool last = i + 1 == lists.size();
+    if (last || numbers.size() + lists[i + 1].size() > kWidth * kMostRows) {
+      draw(program, numbers, starts, answers);
+      numbers.clear();
+      starts.clear();
+    }
+  }
+  return answers;
+}
+
+}  // namespace terrella::probe

@@ -1,0 +1,72 @@
+// Single precision on the CPU and on the driver, held to double precision over each function's whole domain.
+#include <gtest/gtest.h>
+
+#include "native/egl_context.hpp"
+#include "probe/probe.hpp"
+
+namespace terrella::probe {
+namespace {
+
+// Each function so often; the sanitizers take ten times as long.
+constexpr int tries = 1000;
+
+void hold(Gpu* gpu, unsigned seed) {
+  for (const Accuracy& a : fuzz(tries, seed, gpu)) {
+    EXPECT_GT(a.tries, 0) << a.function;
+    EXPECT_LE(a.f32, 1.0) << a.function << " at " << a.worst_f32;
+    EXPECT_LE(a.gpu, 1.0) << a.function << " at " << a.worst_gpu;
+    EXPECT_EQ(a.gpu < 0.0, gpu == nullptr) << a.function;
+  }
+}
+
+TEST(Bounds, HoldInSinglePrecision) { hold(nullptr, 11U); }
+
+class OnGpu : public testing::TestWithParam<Api> {};
+
+TEST_P(OnGpu, BoundsHold) {
+  const auto context = EglContext::make(GetParam());
+  ASSERT_TRUE(context) << context.sentence();
+  Gpu gpu;
+  hold(&gpu, 12U);
+}
+
+TEST_P(OnGpu, AnswersOfABatchStayInOrder) {
+  std::unique_ptr<EglContext> context;
+  Probe probe([&] {
+    auto made = EglContext::make(GetParam());
+    if (made) context = std::move(*made);
+    return static_cast<bool>(made);
+  });
+  std::vector<std::string> lines;
+  for (int i = 0; i < 200; ++i) {
+    const Json args = i % 3 == 0 ? Json{{"cos", 0.001 * i}, {"w", 0.5}} : Json{{"x", 0.01 * i}, {"k", 2}};
+    lines.push_back(Json{{"id", i},
+                         {"fn", i % 3 == 0 ? "wrap_diffuse" : "smooth_abs"},
+                         {"args", args},
+                         {"precision", i % 5 == 0 ? "f64" : "gpu"}}
+                        .dump());
+  }
+  const auto answers = probe.answer(lines);
+  for (int i = 0; i < 200; ++i) {
+    const Json answer = Json::parse(answers[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(answer["id"], i);
+    if (i % 3 == 0) {
+      EXPECT_NEAR(answer["value"]["I"].get<double>(), (0.001 * i + 0.5) / 1.5, 1e-6);
+    } else {
+      EXPECT_NEAR(answer["value"]["y"].get<double>(), 0.01 * i * std::tanh(0.02 * i), 1e-5);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Contexts, OnGpu, testing::Values(Api::core, Api::es),
+                         [](const auto& context) { return context.param == Api::core ? "Core" : "Es"; });
+
+TEST(Accuracies, AreATableOfMarkdown) {
+  const std::string table = accuracy_markdown(fuzz(2, 1U, nullptr));
+  EXPECT_EQ(table.find("| function |"), 0U);
+  EXPECT_NE(table.find("| `march` | 2 |"), std::string::npos);
+  EXPECT_NE(table.find("no GPU"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace terrella::probe
