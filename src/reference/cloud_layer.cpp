@@ -6,10 +6,11 @@
 
 namespace terrella::reference {
 
-CloudLayer::CloudLayer(const Scene& scene, double seconds)
+CloudLayer::CloudLayer(const Scene& scene, double seconds, double footprint)
     : clouds_(clouds_of(scene)),
       cyclones_(cyclones_of(scene)),
       drift_(turned(glm::radians(scene.clouds.drift), seconds)),
+      footprint_(footprint),
       frequency_(scene.clouds.frequency),
       persistence_(scene.clouds.persistence),
       warp_(scene.clouds.warp),
@@ -30,7 +31,7 @@ double CloudLayer::noise(const glm::dvec3& seen) const {
   for (const glm::dvec2& turn : turns_) {
     const glm::dvec3 place =
         f64::flow_place(layer < f64::wound_layers ? wound : direction, frequency, warp_, warp, layer, seed_);
-    sum += f64::flow_layer(place, amplitude, turn, layer, seed_, warp);
+    sum += f64::flow_layer(place, amplitude * f64::layer_weight(frequency, footprint_), turn, layer, seed_, warp);
     frequency *= 2.0;
     amplitude *= persistence_;
     ++layer;

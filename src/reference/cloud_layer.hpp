@@ -11,7 +11,8 @@ namespace terrella::reference {
 
 class CloudLayer {
  public:
-  CloudLayer(const Scene& scene, double seconds);
+  // footprint: as of Footprints.
+  CloudLayer(const Scene& scene, double seconds, double footprint = 0.0);
 
   [[nodiscard]] const f64::Clouds& clouds() const { return clouds_; }
 
@@ -28,6 +29,7 @@ class CloudLayer {
   Cyclones cyclones_;
   glm::dvec2 drift_;
   std::vector<glm::dvec2> turns_;  // of each layer
+  double footprint_;
   double frequency_, persistence_, warp_, belts_, swirl_;
   unsigned seed_;
 };

@@ -46,7 +46,8 @@ double sum_for_height(double value, const f64::Terrain& terrain) {
 
 }  // namespace
 
-Ground::Ground(const Scene& scene) : terrain_(exact_terrain_of(scene)) {
+Ground::Ground(const Scene& scene, double footprint)
+    : terrain_(exact_terrain_of(scene)), footprint_(std::max(footprint, 0.25 / finest)) {
   total_ = 0.0;
   double amplitude = 1.0;
   for (int i = 0; i < terrain_.octaves; ++i, amplitude *= terrain_.persistence) total_ += amplitude;
@@ -56,7 +57,11 @@ Ground::Ground(const Scene& scene) : terrain_(exact_terrain_of(scene)) {
 }
 
 f64::Height Ground::height_at(const glm::dvec3& direction) const {
-  return f64::terrain_height_at(direction, terrain_, 0.25 / finest);
+  return f64::terrain_height_at(direction, terrain_, footprint_);
+}
+
+double Ground::left_in(double value, double frequency) const {
+  return glm::mix(f64::layer_mean(terrain_.ridged), value, f64::layer_weight(frequency, footprint_));
 }
 
 f64::Noise Ground::noise_at(const glm::dvec3& direction, double frequency, int layer) const {
@@ -71,7 +76,7 @@ double Ground::most_dug_up(const glm::dvec3& direction, double chord) const {
   for (int i = 0; i < craters.sizes; ++i, frequency *= 1.41421356) most += craters.depth * rims / frequency;
   double here = 0.0;
   glm::dvec3 slope(0.0);
-  f64::add_craters(direction, craters, 0.0, here, slope);
+  f64::add_craters(direction, craters, footprint_, here, slope);
   return std::min(most, here + craters.depth * rim_slope * craters.sizes * chord);
 }
 
@@ -83,7 +88,8 @@ bool Ground::reaches(const glm::dvec3& direction, double radius) const {
   const double wanted = sum_for_height(radius - 1.0, terrain_) * total_;
   double known = 0.0, unknown = total_, amplitude = 1.0, frequency = terrain_.frequency;
   for (int i = 0; i < std::min(terrain_.octaves, told_apart); ++i) {
-    known += amplitude * f64::layer_value(noise_at(direction, frequency, i).value, terrain_.ridged, terrain_.sharpness);
+    const double noise = noise_at(direction, frequency, i).value;
+    known += amplitude * left_in(f64::layer_value(noise, terrain_.ridged, terrain_.sharpness), frequency);
     unknown -= amplitude;
     if (known + unknown * layer_range(terrain_) < wanted) return false;
     if (known + unknown * least_of_layer(terrain_) > wanted) return true;
@@ -108,7 +114,8 @@ bool Ground::stays_below(const glm::dvec3& direction, double chord, double radiu
     if (known + unknown * range < allowed) return true;
     // Noise that may take any value within the distance is not worth asking for: nor are all finer layers.
     if (frequency * chord > 0.4 || frequency > finest) return false;
-    known += amplitude * most_of_layer(noise_at(direction, frequency, i), frequency * chord, terrain_);
+    known +=
+        amplitude * left_in(most_of_layer(noise_at(direction, frequency, i), frequency * chord, terrain_), frequency);
     unknown -= amplitude;
     amplitude *= terrain_.persistence;
     frequency *= terrain_.lacunarity;

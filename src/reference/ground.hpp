@@ -11,7 +11,8 @@ namespace terrella::reference {
 
 class Ground {
  public:
-  explicit Ground(const Scene& scene);
+  // footprint: as of Footprints.
+  explicit Ground(const Scene& scene, double footprint = 0.0);
 
   // Height over the unit sphere with its gradient. direction: unit.
   [[nodiscard]] f64::Height height_at(const glm::dvec3& direction) const;
@@ -29,10 +30,13 @@ class Ground {
   [[nodiscard]] double highest() const { return highest_; }
 
  private:
+  // A layer's value, or a bound of it, as much of it as is left in.
+  [[nodiscard]] double left_in(double value, double frequency) const;
   [[nodiscard]] f64::Noise noise_at(const glm::dvec3& direction, double frequency, int layer) const;
   [[nodiscard]] double most_dug_up(const glm::dvec3& direction, double chord) const;
 
   f64::Terrain terrain_;
+  double footprint_;
   double total_;    // of the amplitudes of the layers
   double highest_;  // radius
 };

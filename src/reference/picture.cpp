@@ -47,7 +47,7 @@ void put(Image& image, int x, int y, const glm::dvec3& value) {
 }  // namespace
 
 Image light(const Scene& scene, const Options& options) {
-  const Tracer tracer(scene, view_of(options));
+  const Tracer tracer(scene, view_of(options), options.left_out);
   const double exposure = std::exp2(scene.picture.exposure);
   const int n = options.samples;
   Image image(options.width, options.height, 3);
@@ -62,7 +62,7 @@ Image light(const Scene& scene, const Options& options) {
 }
 
 Geometry geometry(const Scene& scene, const Options& options) {
-  const Tracer tracer(scene, view_of(options));
+  const Tracer tracer(scene, view_of(options), options.left_out);
   const double radius = scene.planet.radius;
   Geometry geometry = {Image(options.width, options.height, 1), Image(options.width, options.height, 3),
                        Image(options.width, options.height, 1)};

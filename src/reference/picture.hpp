@@ -5,6 +5,7 @@
 
 #include "base/image.hpp"
 #include "planet/pose.hpp"
+#include "reference/footprints.hpp"
 #include "scene/scene.hpp"
 
 namespace terrella::reference {
@@ -14,6 +15,7 @@ struct Options {
   double seconds = 0.0;
   int samples = 1;  // along each side of a pixel, >= 1
   int threads = 0;  // 0: as many as the machine has cores
+  Footprints left_out;
   // Told the finished part, 0..1, now and then, by the calling thread only.
   std::function<void(double)> progress;
 };

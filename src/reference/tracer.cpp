@@ -33,9 +33,10 @@ constexpr double bottomless = 1.0;
 
 }  // namespace
 
-Tracer::Tracer(const Scene& scene, const View& view)
+Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
     : scene_(scene),
       view_(view),
+      left_out_(left_out),
       pose_(pose_of(scene, view)),
       light_(light_of(scene, pose_)),
       bands_(bands_of(scene)),
@@ -44,9 +45,9 @@ Tracer::Tracer(const Scene& scene, const View& view)
       small_lights_(scene, view, pose_, light_),
       resolution_(0.25 * pose_.pixel_angle),
       water_level_(terrella::water_level(scene) / scene.planet.radius) {
-  if (has_ground(scene)) ground_.emplace(scene);
+  if (has_ground(scene)) ground_.emplace(scene, left_out.ground);
   if (has_water(scene)) sea_.emplace(scene, view.seconds, ground_ ? &*ground_ : nullptr);
-  if (has_clouds(scene)) clouds_.emplace(scene, view.seconds);
+  if (has_clouds(scene)) clouds_.emplace(scene, view.seconds, left_out.clouds);
   free_sun_ = free_part_of_sun(scene, pose_, ground_ || sea_ ? 1.0 : 0.0);
 }
 
@@ -78,9 +79,11 @@ f64::Water Tracer::water_look_at(const Surface& surface) const {
   const double frequency = scene_.water.ripple_frequency;
   f64::Ripples ripples = f64::no_ripples(frequency, turned(scene_.water.ripple_speed, view_.seconds));
   for (int i = 0; i < ripple_layers; ++i) {
-    ripples = f64::add_ripples(ripples, water.still, scene_.water.ripples, 0.0, f64::ripple_seed(scene_.planet.seed));
+    ripples = f64::add_ripples(ripples, water.still, scene_.water.ripples, left_out_.ripples,
+                               f64::ripple_seed(scene_.planet.seed));
   }
-  return f64::calm_water(water.still, water.depth, ripples, f64::torn_crust(ripples, 1.0, look_), look_);
+  const double shown = f64::layer_weight(frequency, left_out_.ripples);
+  return f64::calm_water(water.still, water.depth, ripples, f64::torn_crust(ripples, shown, look_), look_);
 }
 
 Sample Tracer::measured(const std::optional<Surface>& surface) const {

@@ -6,6 +6,7 @@
 
 #include "planet/pose.hpp"
 #include "reference/cloud_layer.hpp"
+#include "reference/footprints.hpp"
 #include "reference/ground.hpp"
 #include "reference/sea.hpp"
 #include "reference/small_lights.hpp"
@@ -24,7 +25,7 @@ struct Sample {
 // May be asked by several threads at once.
 class Tracer {
  public:
-  Tracer(const Scene& scene, const View& view);
+  Tracer(const Scene& scene, const View& view, const Footprints& left_out = {});
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
@@ -57,6 +58,7 @@ class Tracer {
 
   Scene scene_;
   View view_;
+  Footprints left_out_;
   Pose pose_;
   f64::SceneLight light_;
   f64::Bands bands_;

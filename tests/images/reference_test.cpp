@@ -278,5 +278,36 @@ const Case refined[] = {
 INSTANTIATE_TEST_SUITE_P(Techniques, Refined, testing::ValuesIn(refined),
                          [](const auto& of) { return std::string(of.param.name); });
 
+// Between two pictures of the clouds, which are blended, they are nearly as good as at the time of one of them.
+TEST(CloudsBlendedInTime, AreThoseOfTheReference) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  Scene scene = bare_ground();
+  scene.clouds.model = 1;
+  scene.terrain.model = 0;
+  const auto psnr_at = [&](double time) {
+    StillOptions still;
+    still.width = width;
+    still.height = height;
+    still.samples = samples;
+    still.seconds = time;
+    reference::Options exact;
+    exact.width = width;
+    exact.height = height;
+    exact.samples = samples;
+    exact.seconds = time;
+    return psnr(cut_off(take_measurement(renderer, scene, still, Channel::color)),
+                cut_off(reference::light(scene, exact)));
+  };
+  psnr_at(0.0);
+  const double interval = renderer.needs().cloud_interval;
+  ASSERT_GT(interval, 0.0);
+  const double at_step = psnr_at(3.0 * interval), between = psnr_at(3.5 * interval);
+  if (std::getenv("TERRELLA_PRINT") != nullptr)
+    std::printf("clouds at a step %.1f dB, between %.1f dB\n", at_step, between);
+  EXPECT_GT(between, at_step - 1.0);  // measured: 0.75
+}
+
 }  // namespace
 }  // namespace terrella
