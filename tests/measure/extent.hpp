@@ -2,13 +2,10 @@
 #pragma once
 
 #include "measure/cases.hpp"
+#include "sanitized.hpp"
 
 namespace terrella::test {
 
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr Extent extent = Extent::sample;
-#else
-inline constexpr Extent extent = Extent::quick;
-#endif
+inline constexpr Extent extent = sanitized ? Extent::sample : Extent::quick;
 
 }  // namespace terrella::test

@@ -9,6 +9,7 @@
 #include "measure/image_error.hpp"
 #include "planet/needs.hpp"
 #include "reference/picture.hpp"
+#include "sanitized.hpp"
 #include "scene/choices.hpp"
 #include "scene/presets.hpp"
 
@@ -16,6 +17,12 @@ namespace terrella {
 namespace {
 
 constexpr int width = 128, height = 72;
+
+class Decision : public testing::Test {
+  void SetUp() override {
+    if (test::sanitized) GTEST_SKIP() << "measures only";
+  }
+};
 
 View picture_view() {
   View view;
@@ -56,7 +63,7 @@ Scene bare() {
   return scene;
 }
 
-TEST(Decision, ToLeaveOutWavesOfUnderHalfAPixel) {
+TEST_F(Decision, ToLeaveOutWavesOfUnderHalfAPixel) {
   Scene scene = find_preset("storm")->scene;
   scene.clouds.model = scene.stars.model = 0;
   scene.camera.altitude = 6.0;
@@ -67,7 +74,7 @@ TEST(Decision, ToLeaveOutWavesOfUnderHalfAPixel) {
   EXPECT_GT(likeness("waves", with, light(scene)), 35.5);  // measured: 35.9, for the sake of glitter
 }
 
-TEST(Decision, ToLeaveOutRipplesOfUnderTwoPixels) {
+TEST_F(Decision, ToLeaveOutRipplesOfUnderTwoPixels) {
   Scene scene = bare();
   scene.camera.altitude = 6.0;
   scene.water.ripple_frequency = 60.0;
@@ -75,7 +82,7 @@ TEST(Decision, ToLeaveOutRipplesOfUnderTwoPixels) {
   EXPECT_GT(likeness("ripples", light(scene), light(scene, {0.0, 0.0, 1.0})), 51.5);  // 52.0
 }
 
-TEST(Decision, ToLeaveOutFineLayersOfTheGround) {
+TEST_F(Decision, ToLeaveOutFineLayersOfTheGround) {
   Scene scene = bare();
   scene.water.model = 0;
   const Image with = light(scene);
@@ -83,7 +90,7 @@ TEST(Decision, ToLeaveOutFineLayersOfTheGround) {
             23.2);  // 23.6: every layer is as steep as the one before it, and steep ground is rock
 }
 
-TEST(Decision, ToLeaveOutFineLayersOfClouds) {
+TEST_F(Decision, ToLeaveOutFineLayersOfClouds) {
   Scene scene = bare();
   scene.terrain.model = scene.water.model = 0;
   scene.clouds.model = 1;
@@ -92,7 +99,7 @@ TEST(Decision, ToLeaveOutFineLayersOfClouds) {
             30.3);  // 30.7
 }
 
-TEST(Decision, ToLeaveOutTheSunBesideThePicture) {
+TEST_F(Decision, ToLeaveOutTheSunBesideThePicture) {
   Scene scene;
   scene.sun.longitude = 60.0;
   scene.sun.latitude = 0.0;
@@ -104,7 +111,7 @@ TEST(Decision, ToLeaveOutTheSunBesideThePicture) {
 }
 
 // Where a parameter of 0 leaves nothing of it to be seen, the picture is that of a scene that has none.
-TEST(Decision, ToLeaveOutWhatIsNotThere) {
+TEST_F(Decision, ToLeaveOutWhatIsNotThere) {
   const auto expect_same = [](const char* what, Scene nothing, Scene none) {
     SCOPED_TRACE(what);
     EXPECT_EQ(light(nothing).pixels, light(none).pixels);
