@@ -21,9 +21,11 @@ struct AirPath {
 
 // (1 - cosine)^a with the cosine held to 0..1 and x^0 = 1 (Sandahl 2.4, V being the view direction).
 float fresnel_alpha(float cosine, float a) {
-  float x = 1.0 - clamp(cosine, 0.0, 1.0);
+  float c = clamp(cosine, 0.0, 1.0);
+  float x = 1.0 - c;
   if (a == 0.0) return 1.0;
-  return x > 0.0 ? pow(x, a) : 0.0;
+  float lost = (1.0 - x) - c;  // by rounding: a times as much of x^a
+  return x > 0.0 ? pow(x, a) * (1.0 + a * lost / x) : 0.0;
 }
 
 // Where a ray crosses a sphere around the centre. eye: position; ray: unit. No root is lost to cancellation: the

@@ -19,6 +19,27 @@ float absorbed_share(float x) {
   return x < 1.0 ? x * mean_transmittance(x) : 1.0 - exp(-x);
 }
 
+// A product and what its rounding lost (Dekker 1971).
+vec2 exact_product(float a, float b) {
+  float product = a * b;
+#ifdef TERRELLA_DOUBLE
+  return vec2(product, 0.0);
+#else
+  float a_high = a * 4097.0 - (a * 4097.0 - a);
+  float b_high = b * 4097.0 - (b * 4097.0 - b);
+  float a_low = a - a_high;
+  float b_low = b - b_high;
+  return vec2(product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low);
+#endif
+}
+
+// Part of the light that is left after a way through an absorber. extinction: per length, both >= 0. What the rounding of
+// a depth loses is as much of what is left.
+float left_after(float extinction, float way) {
+  vec2 depth = exact_product(extinction, way);
+  return exp(-depth.x) * (1.0 - depth.y);
+}
+
 struct Marched {
   float transmittance;  // from the eye to here
   float light;          // gathered so far

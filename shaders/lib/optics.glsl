@@ -9,9 +9,11 @@ float reflectance_at_normal(float n1, float n2) {
 // Reflectance of a smooth dielectric (Schlick 1994; Sandahl 17, with the view direction that the print calls light).
 // cosine: of normal and view, held to 0..1. r0: reflectance at 1.
 float schlick(float cosine, float r0) {
-  float m = 1.0 - clamp(cosine, 0.0, 1.0);
+  float c = clamp(cosine, 0.0, 1.0);
+  float m = 1.0 - c;
+  float lost = (1.0 - m) - c;  // by rounding: five times as much of m^5
   float m2 = m * m;
-  return r0 + (1.0 - r0) * m2 * m2 * m;
+  return r0 + (1.0 - r0) * m2 * m2 * (m + 5.0 * lost);
 }
 
 // Diffuse light that reaches round the edge (Green 2004; Sandahl 19). wrap: 0..1; 0 is Lambert's law.
