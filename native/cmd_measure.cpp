@@ -1,7 +1,5 @@
 #include "native/cmd_measure.hpp"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -15,6 +13,7 @@
 #include "native/egl_context.hpp"
 #include "native/failures.hpp"
 #include "native/options.hpp"
+#include "native/progress_bar.hpp"
 
 namespace terrella {
 namespace {
@@ -36,12 +35,6 @@ Issues understand(const MeasureOptions& options) {
     issues.add("--extremes", "draws scenes of its own; leave out --preset, --scene, --link and --set.");
   }
   return issues;
-}
-
-// On a terminal only.
-void show_progress(const char* what, double part) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  std::fprintf(stderr, "\r%-28s %3d %%%s", what, static_cast<int>(100.0 * part), part >= 1.0 ? "\n" : "");
 }
 
 // Adds what is found in one kind of context; returns what went wrong, or nothing.

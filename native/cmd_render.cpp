@@ -1,7 +1,5 @@
 #include "native/cmd_render.hpp"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +13,7 @@
 #include "native/egl_context.hpp"
 #include "native/failures.hpp"
 #include "native/options.hpp"
+#include "native/progress_bar.hpp"
 #include "planet/validity.hpp"
 #include "reference/picture.hpp"
 
@@ -162,16 +161,14 @@ std::vector<std::string> beyond_range(const Renderer& renderer, const Task& task
   return sentences;
 }
 
-// By the reference; a line on a terminal tells how far it is.
+// By the reference.
 Image reference_image(const RenderOptions& options, const Task& task) {
   reference::Options how;
   how.width = task.still.width;
   how.height = task.still.height;
   how.seconds = options.time;
   how.samples = options.samples;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  if (terminal)
-    how.progress = [](double part) { std::fprintf(stderr, "\r%3.0f %%%s", 100.0 * part, part < 1.0 ? "" : "\n"); };
+  how.progress = [](double part) { show_progress("drawing", part); };
   if (task.channel == Channel::color) {
     Image light = reference::light(task.scene, how);
     return task.pfm ? light : developed(light, task.scene.picture.tone);
