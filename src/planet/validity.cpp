@@ -67,9 +67,11 @@ void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std:
   const auto& terrain = scene.terrain;
   const bool relief = needs.ground != Ground::none && terrain.octaves > 0;
   const double may_be_missed = scene.quality.pixel_error * pixel_of_height(pose);
-  // A quarter of a cell on an edge was measured to cost a seventh of the relief.
-  const bool shows = terrain.height / scene.planet.radius > 7.0 * may_be_missed;
-  const double most = most_cells_on_edge / icosphere_edge(needs.ground_level);
+  const double edge = icosphere_edge(needs.ground_level), most = most_cells_on_edge / edge;
+  // Measured: a seventh of the relief with a quarter of a cell on an edge, 0.4 of it with a third, all with a half.
+  const double beyond = (terrain.frequency * edge - most_cells_on_edge) / most_cells_on_edge;
+  const double missed = std::clamp((1.0 + 6.0 * beyond) / 7.0, 0.0, 1.0);
+  const bool shows = missed * terrain.height / scene.planet.radius > may_be_missed;
   if (!relief || !shows || terrain.frequency <= most) return;
   issues.push_back(
       {"terrain.frequency",
