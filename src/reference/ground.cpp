@@ -10,7 +10,7 @@ namespace terrella::reference {
 namespace {
 
 // The steepest slope of simplex noise, the fastest that it changes and the largest value, in cells
-// (tests/laws/noise_test.cpp measures them).
+// (tests/laws/bounds_test.cpp measures them).
 constexpr double noise_slope = 6.5, noise_curvature = 48.0, noise_range = 1.02;
 
 // Finer layers (cells per radian) doubles and integers of 32 bits place no more.
@@ -34,7 +34,7 @@ double most_of_layer(const f64::Noise& noise, double distance, const f64::Terrai
 
 // As much as the craters of one size rise above the ground: where the rims of all eight cells around a place meet, and
 // per distance; both in cells. Depth is at most 0.4 of a radius of at most 0.28; the rim is 0.22 depths high, no slope
-// is above 2.25 depths a radius (tests/laws/craters_test.cpp).
+// is above 2.25 depths a radius (tests/laws/bounds_test.cpp).
 constexpr double rims = 8.0 * 0.4 * 0.28 * 0.22, rim_slope = 8.0 * 0.4 * 2.25;
 
 // The sum of layers (0..1) at which the ground has a height; above 1: never.

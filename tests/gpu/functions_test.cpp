@@ -53,6 +53,23 @@ TEST_P(OnGpu, Noise) {
   }
 }
 
+// The same terrain on every machine: the integers that noise begins with are the same to the last bit.
+TEST_P(OnGpu, HashesAreTheSameIntegers) {
+  const auto in = inputs([](test::Places& p) {
+    return std::pair(glm::vec4(glm::floor(glm::vec3(p.in_cube(8e6))), std::floor(p.between(0.0, 1e6))),
+                     glm::vec4(0.0F));
+  });
+  const auto halves = test::run_on_gpu(
+      {"noise"},
+      "uint h = hash_cell(ivec3(a.xyz), uint(a.w)); result = vec4(float(h & 0xffffu), float(h >> 16), 0.0, 0.0);", in);
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const glm::vec4& a = in[2 * i];
+    const unsigned h = f64::hash_cell(glm::ivec3(a), static_cast<unsigned>(a.w));
+    ASSERT_EQ(halves[i].x, static_cast<float>(h & 0xffffU));
+    ASSERT_EQ(halves[i].y, static_cast<float>(h >> 16U));
+  }
+}
+
 TEST_P(OnGpu, NoiseFromAFarCell) {
   const auto in = inputs([](test::Places& p) {
     return std::pair(glm::vec4(glm::vec3(p.in_cube(20.0)), 0.0F),
