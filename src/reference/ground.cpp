@@ -35,7 +35,7 @@ double most_of_layer(const f64::Noise& noise, double distance, const f64::Terrai
 // As much as the craters of one size rise above the ground: where the rims of all eight cells around a place meet, and
 // per distance; both in cells. Depth is at most 0.4 of a radius of at most 0.28; the rim is 0.22 depths high, no slope
 // is above 2.25 depths a radius (tests/laws/bounds_test.cpp).
-constexpr double rims = 8.0 * 0.4 * 0.28 * 0.22, rim_slope = 8.0 * 0.4 * 2.25;
+constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls, rim_slope = 8.0 * 0.4 * 2.25;
 
 // The sum of layers (0..1) at which the ground has a height; above 1: never.
 double sum_for_height(double value, const f64::Terrain& terrain) {
@@ -54,6 +54,9 @@ Ground::Ground(const Scene& scene, double footprint)
   highest_ = 1.0 + (terrain_.octaves > 0 ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
     highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + f64::ice_thickness);
+  double crater_frequency = terrain_.craters.frequency;
+  for (int i = 0; i < terrain_.craters.sizes; ++i, crater_frequency *= 1.41421356)
+    cells_of_craters_ += terrain_.craters.depth / crater_frequency;
 }
 
 f64::Height Ground::height_at(const glm::dvec3& direction) const {
@@ -71,28 +74,29 @@ f64::Noise Ground::noise_at(const glm::dvec3& direction, double frequency, int l
 
 double Ground::most_dug_up(const glm::dvec3& direction, double chord) const {
   const f64::Craters& craters = terrain_.craters;
-  if (craters.depth <= 0.0) return 0.0;
-  double most = 0.0, frequency = craters.frequency;
-  for (int i = 0; i < craters.sizes; ++i, frequency *= 1.41421356) most += craters.depth * rims / frequency;
+  const double most = rims * cells_of_craters_, rise = craters.depth * rim_slope * craters.sizes * chord;
+  if (rise >= most) return most;
   double here = 0.0;
   glm::dvec3 slope(0.0);
   f64::add_craters(direction, craters, footprint_, here, slope);
-  return std::min(most, here + craters.depth * rim_slope * craters.sizes * chord);
+  return std::min(most, here + rise);
 }
 
 bool Ground::reaches(const glm::dvec3& direction, double radius) const {
-  const bool layers_alone = terrain_.craters.depth <= 0.0 && terrain_.ice.sine > 1.0 && terrain_.octaves > 0;
-  if (!layers_alone || highest_ < radius) return highest_ >= radius && radius_at(direction) >= radius;
+  if (highest_ < radius) return false;
+  const bool layers_alone = terrain_.ice.sine > 1.0 && terrain_.octaves > 0 && terrain_.height > 0.0;
+  if (!layers_alone) return radius_at(direction) >= radius;
   // Far from the surface the coarse layers tell on which side of it the radius lies.
   constexpr int told_apart = 5;
   const double wanted = sum_for_height(radius - 1.0, terrain_) * total_;
+  const double dug = cells_of_craters_ * total_ / terrain_.height;
   double known = 0.0, unknown = total_, amplitude = 1.0, frequency = terrain_.frequency;
   for (int i = 0; i < std::min(terrain_.octaves, told_apart); ++i) {
     const double noise = noise_at(direction, frequency, i).value;
     known += amplitude * left_in(f64::layer_value(noise, terrain_.ridged, terrain_.sharpness), frequency);
     unknown -= amplitude;
-    if (known + unknown * layer_range(terrain_) < wanted) return false;
-    if (known + unknown * least_of_layer(terrain_) > wanted) return true;
+    if (known + unknown * layer_range(terrain_) + rims * dug < wanted) return false;
+    if (known + unknown * least_of_layer(terrain_) - bowls * dug > wanted) return true;
     amplitude *= terrain_.persistence;
     frequency *= terrain_.lacunarity;
     if (frequency > finest) break;

@@ -37,8 +37,9 @@ class Ground {
 
   f64::Terrain terrain_;
   double footprint_;
-  double total_;    // of the amplitudes of the layers
-  double highest_;  // radius
+  double total_;                   // of the amplitudes of the layers
+  double highest_;                 // radius
+  double cells_of_craters_ = 0.0;  // their depth times the width of a cell, summed over all sizes, radii
 };
 
 }  // namespace terrella::reference
