@@ -115,6 +115,9 @@ TEST(SkyPastAir, IsWholeOutsideAndFadesInTheOuterQuarter) {
   for (double nearest = 1.0; nearest < 1.2; nearest += 0.01) EXPECT_LE(shown(nearest), shown(nearest + 0.01));
   EXPECT_EQ(shown(1.149), 0.0);
   EXPECT_EQ(shown(0.5), 0.0);
+  // An eye just within it, who looks out, has only what is above behind the air.
+  EXPECT_NEAR(f64::sky_past_air({1.175, 0.0, 0.0}, glm::dvec3(1.0, 0.0, 0.0), top), 0.5, 1e-9);
+  EXPECT_NEAR(f64::sky_past_air({1.2 - 1e-9, 0.0, 0.0}, glm::dvec3(1.0, 0.0, 0.0), top), 1.0, 1e-6);
 }
 
 TEST(GlowOfSky, IsStrongestAndRedUnderALowSunAndNoneAtNight) {
