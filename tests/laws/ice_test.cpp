@@ -75,5 +75,11 @@ TEST(Floes, LeaveNoStepInTheCover) {
   }
 }
 
+TEST(PolarSine, IsThatOfTheLatitudeAndNowhereFromThePoleOn) {
+  EXPECT_NEAR(f64::polar_sine(30.0), 0.5, 1e-12);
+  EXPECT_NEAR(f64::polar_sine(-90.0), -1.0, 1e-12);
+  EXPECT_EQ(f64::polar_sine(90.0), 2.0);
+}
+
 }  // namespace
 }  // namespace terrella
