@@ -82,6 +82,15 @@ TEST(AirOpacity, OfAPartGrowsWithThePartUpToTheWhole) {
   EXPECT_NEAR(before, 0.6, 1e-9);
 }
 
+// Half of the way has half of the depth: over the limb that is half of the chord, before the ground all up to it.
+TEST(AirOpacity, OfHalfTheWayLeavesTheRootOfWhatTheWholeLeaves) {
+  const double top = 1.14, half = 1.0 - std::sqrt(1.0 - 0.6);
+  const double chord = 2.0 * std::sqrt(top * top - 1.05 * 1.05);
+  EXPECT_NEAR(f64::air_opacity_before(0.6, cosine_at(1.05, top), 0.5 * chord, top), half, 1e-9);
+  const double to_ground = std::sqrt(top * top - 0.9 * 0.9) - std::sqrt(1.0 - 0.9 * 0.9);
+  EXPECT_NEAR(f64::air_opacity_before(0.6, cosine_at(0.9, top), to_ground, top), half, 1e-9);
+}
+
 TEST(AirOpacity, OfAPartChangesSmoothlyOverTheLimb) {
   const f64::Air a = air();
   const auto opacity = [&](double distance) {
