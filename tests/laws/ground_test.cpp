@@ -128,5 +128,15 @@ TEST(GroundLight, FollowsLambertAndTheCloudsBeforeTheSun) {
             at.sun.r + f64::skylight(at, scene.sun, scene).r);
 }
 
+TEST(GroundColor, IsTheSameNorthAndSouth) {
+  f64::Bands b = bands();
+  b.sea = {0.01, 0.02, 0.05};
+  for (double sine = 0.0; sine <= 1.0; sine += 0.05) {
+    for (const double height : {-0.01, 0.01, 0.05}) {
+      EXPECT_EQ(f64::ground_color(height, 0.1, sine, 0.3, b), f64::ground_color(height, 0.1, -sine, 0.3, b));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace terrella
