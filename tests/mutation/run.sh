@@ -137,20 +137,27 @@ remembered() {
   MISTAKE=$1 perl -ne 'chomp; my ($by, $mistake) = split /\t/, $_, 2; print $by if $mistake eq $ENV{MISTAKE}' "$results"
 }
 
+# For each file how many mistakes there are and what has noticed them: the folder and, of their names, the first parts.
 markdown() {
-  echo "| file | as it is | mistake | noticed by |"
-  echo "| --- | --- | --- | --- |"
   listed | while IFS= read -r line; do
     by=$(remembered "$line")
-    printf '| %s | `%s` | `%s` | %s |\n' "$(file_of "$line")" "$(old_of "$line")" "$(new_of "$line")" \
-      "$(printf '%s' "${by:-not run}" | sed 's/ \(.*\)/: \1/')"
-  done | sed 's/||/\&#124;\&#124;/g'
-  echo
-  listed | while IFS= read -r line; do
-    by=$(remembered "$line")
-    echo "${by:-not run}"
-  done | sed 's/ .*//' | sort | uniq -c | sort -rn | sed 's/^ *\([0-9]*\) \(.*\)/\1 by \2/' | paste -s -d, - |
-    sed 's/,/, /g; s/$/./'
+    printf '%s\t%s\n' "$(file_of "$line")" "${by:-not run}"
+  done | perl -ne '
+    chomp;
+    my ($file, $by) = split /\t/;
+    my ($stage, $test) = split / /, $by, 2;
+    $test =~ s/\..*//;
+    push @files, $file unless $mistakes{$file}++;
+    $by{$file}{$stage}{$test} = 1;
+    $all{$stage}++;
+    END {
+      print "| file | mistakes | noticed by |\n| --- | --- | --- |\n";
+      for my $file (@files) {
+        my @by = map { "$_: " . join(", ", sort keys %{$by{$file}{$_}}) } sort keys %{$by{$file}};
+        print "| `$file` | $mistakes{$file} | ", join("; ", @by), " |\n";
+      }
+      print "| all | $.", " | ", join(", ", map { "$_: $all{$_}" } sort { $all{$b} <=> $all{$a} } keys %all), " |\n";
+    }'
 }
 
 if [ "${1:-}" = --markdown ]; then

@@ -76,8 +76,7 @@ TEST(Sea, SpreadDecidesHowFarDirectionsDiffer) {
   wild.waves.spread = 1.0;
   const auto closest = [](const Sea& sea) {
     double least = 1.0;
-    for (const f64::Wave& wave : sea.waves)
-      least = std::fmin(least, glm::dot(wave.origin, sea.waves[0].origin));
+    for (const f64::Wave& wave : sea.waves) least = std::fmin(least, glm::dot(wave.origin, sea.waves[0].origin));
     return least;
   };
   EXPECT_GT(closest(make_sea(combed, 0.0)), 0.9999);
