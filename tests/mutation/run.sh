@@ -104,7 +104,7 @@ expect_passing() {
   passing="$passing $1"
 }
 
-# Prints what catches the mistake of a line, or "nothing".
+# Sets caught to what notices the mistake of a line: a folder and a test, or "nothing".
 catcher() {
   file=shaders/lib/$(file_of "$1")
   old=$(old_of "$1")
