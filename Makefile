@@ -1,6 +1,6 @@
 # What there is to do here; `make help` lists it. Set-up is scripts/setup.sh, building is CMake's (CMakePresets.json).
 
-.PHONY: help run test native measure bench gallery format clean setup-% build-%
+.PHONY: help run test native measure mutation bench gallery format clean setup-% build-%
 .NOTPARALLEL:
 
 help:
@@ -8,6 +8,7 @@ help:
 	@echo "make test     build all and run every test"
 	@echo "make native   build the desktop program, build/native/terrella"
 	@echo "make measure  measure what holds at the extremes, as a page in build/measure"
+	@echo "make mutation plant mistakes in the formulas and see which tests notice"
 	@echo "make bench    measure speed, memory and size of both"
 	@echo "make gallery  draw every preset for docs/gallery.md"
 	@echo "make format   lay out the C++ files as .clang-format says"
@@ -26,6 +27,10 @@ test: setup-test build-native build-sanitize build-web
 
 measure: native
 	build/native/terrella measure --extremes --out build/measure
+
+# In a copy under build/mutation; takes a quarter of an hour or more, so it is no part of `make test`.
+mutation: setup-native
+	tests/mutation/run.sh
 
 bench: setup-bench build-native build-web tests/web/node_modules/.package-lock.json
 	build/native/bench/terrella_bench

@@ -63,10 +63,12 @@ float air_opacity_before(float opacity, float cosine, float path, float top) {
 }
 
 // Part of the light from infinity that passes beside the planet's air, 0..1: all outside of it, and nothing deeper in it
-// than a quarter of its height, where its own light is so bright that no star is seen. From outside; eye, ray: as above.
+// than a quarter of its height, where its own light is so bright that no star is seen. From outside or from just within;
+// eye, ray: as above.
 float sky_past_air(vec3 eye, vec3 ray, float top) {
   AirPath path = air_path(eye, ray, top);
-  float nearest = top * sqrt(max(1.0 - path.cosine * path.cosine, 0.0));
+  float beside = top * sqrt(max(1.0 - path.cosine * path.cosine, 0.0));
+  float nearest = dot(eye, ray) < 0.0 ? beside : length(eye);  // what lies behind the eye hides nothing
   return path.leave > path.enter ? smoothstep(0.25 + 0.75 * top, top, nearest) : 1.0;
 }
 

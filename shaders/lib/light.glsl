@@ -74,7 +74,9 @@ Veil air_before_sky(vec3 ray, SceneLight scene) {
   AirPath path = air_path(scene.eye, ray, air.top);
   float way = path.leave - path.enter;
   float opacity = air_opacity_before(air_opacity(path.cosine, air), path.cosine, way, air.top);
-  float overhead = way <= 0.0 || path.enter > 0.0 ? 0.0 : 0.10 * air.density;
+  // Those who leave the air leave the least of it, which is all around them, little by little.
+  float thickness = air.top - 1.0;
+  float overhead = 0.10 * air.density * (1.0 - smoothstep(0.9 * thickness, thickness, scene.eye_height));
   opacity = clamp(opacity + overhead * (1.0 - opacity), 0.0, 1.0);
   // Lit where the ray comes nearest to the planet.
   vec3 nearest = scene.eye + ray * clamp(-dot(scene.eye, ray), path.enter, path.leave);

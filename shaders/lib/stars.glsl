@@ -44,7 +44,7 @@ float band_brightness(vec3 direction, vec3 normal, uint seed) {
   float shape = 1.0 - smoothstep(0.0, 1.0, edge);
   float from_dust = abs(across + 0.22 * clouds + 0.1 * wisps) + 0.3 * veils + 0.12 * wisps;
   float clear = smoothstep(-0.05, 0.3, from_dust);
-  return shape * (0.3 + 0.7 * clear) * (0.75 + 0.2 * clouds + 0.25 * veils + 0.15 * wisps);
+  return min(shape * (0.3 + 0.7 * clear) * (0.75 + 0.2 * clouds + 0.25 * veils + 0.15 * wisps), 1.0);
 }
 
 // Light of the far stars that are too many to be told apart: warm where it is faint, for dust reddens it.

@@ -150,7 +150,8 @@ vec3 water_light(Water w, LightAt at, vec3 ray, vec3 below, vec3 mirrored, float
   if (look.shading == 0) {
     float cosine = max(-dot(ray, w.normal), 0.0);
     float r0 = reflectance_at_normal(1.0, look.refraction_index);
-    vec3 between = normalize(scene.sun - ray);
+    vec3 between = scene.sun - ray;
+    between *= inversesqrt(max(dot(between, between), 1.0e-12));  // no direction where one looks into the sun
     float gleam = glitter(dot(w.normal, between), cosine, dot(w.normal, scene.sun), w.roughness);
     float r_sun = schlick(max(dot(scene.sun, between), 0.0), r0);
     light = mix(light, mirrored, wet * schlick(cosine, r0)) + sunlight * (wet * min(gleam * r_sun, 40.0));

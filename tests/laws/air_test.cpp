@@ -82,6 +82,15 @@ TEST(AirOpacity, OfAPartGrowsWithThePartUpToTheWhole) {
   EXPECT_NEAR(before, 0.6, 1e-9);
 }
 
+// Half of the way has half of the depth: over the limb that is half of the chord, before the ground all up to it.
+TEST(AirOpacity, OfHalfTheWayLeavesTheRootOfWhatTheWholeLeaves) {
+  const double top = 1.14, half = 1.0 - std::sqrt(1.0 - 0.6);
+  const double chord = 2.0 * std::sqrt(top * top - 1.05 * 1.05);
+  EXPECT_NEAR(f64::air_opacity_before(0.6, cosine_at(1.05, top), 0.5 * chord, top), half, 1e-9);
+  const double to_ground = std::sqrt(top * top - 0.9 * 0.9) - std::sqrt(1.0 - 0.9 * 0.9);
+  EXPECT_NEAR(f64::air_opacity_before(0.6, cosine_at(0.9, top), to_ground, top), half, 1e-9);
+}
+
 TEST(AirOpacity, OfAPartChangesSmoothlyOverTheLimb) {
   const f64::Air a = air();
   const auto opacity = [&](double distance) {
@@ -115,6 +124,9 @@ TEST(SkyPastAir, IsWholeOutsideAndFadesInTheOuterQuarter) {
   for (double nearest = 1.0; nearest < 1.2; nearest += 0.01) EXPECT_LE(shown(nearest), shown(nearest + 0.01));
   EXPECT_EQ(shown(1.149), 0.0);
   EXPECT_EQ(shown(0.5), 0.0);
+  // An eye just within it, who looks out, has only what is above behind the air.
+  EXPECT_NEAR(f64::sky_past_air({1.175, 0.0, 0.0}, glm::dvec3(1.0, 0.0, 0.0), top), 0.5, 1e-9);
+  EXPECT_NEAR(f64::sky_past_air({1.2 - 1e-9, 0.0, 0.0}, glm::dvec3(1.0, 0.0, 0.0), top), 1.0, 1e-6);
 }
 
 TEST(GlowOfSky, IsStrongestAndRedUnderALowSunAndNoneAtNight) {

@@ -81,5 +81,61 @@ TEST(FlowLayer, IsBoundedByItsAmplitudeAndWarpsOnlyLaterLayers) {
   }
 }
 
+TEST(CloudThickness, RisesFromItsThresholdOverItsSoftness) {
+  // Half of the sky is covered where noise is positive, when edges are hard.
+  EXPECT_EQ(f64::cloud_thickness(0.0, 0.5, 0.0), 0.0);
+  EXPECT_NEAR(f64::cloud_thickness(0.015, 0.5, 0.0), 0.5, 1e-12);
+  EXPECT_EQ(f64::cloud_thickness(0.03, 0.5, 0.0), 1.0);
+  EXPECT_GT(f64::cloud_thickness(-0.4, 1.0, 0.0), 0.99);
+  EXPECT_EQ(f64::cloud_thickness(0.4, 0.05, 0.0), 0.0);
+  // Softer ones begin earlier and end later.
+  EXPECT_GT(f64::cloud_thickness(-0.05, 0.5, 1.0), 0.0);
+  EXPECT_LT(f64::cloud_thickness(0.4, 0.5, 1.0), 1.0);
+}
+
+TEST(Cyclones, TurnFurtherTheMoreTheyAreToldTo) {
+  EXPECT_EQ(f64::cyclone_turn(0.0), 0.0);
+  EXPECT_NEAR(2.0 * std::atan(f64::cyclone_turn(1.0)), 2.498, 1e-3);  // 143 degrees at the most
+  EXPECT_NEAR(f64::cyclone_turn(0.5), 1.5, 1e-12);
+}
+
+TEST(Drifted, FollowsCloudsThatMoveEastwards) {
+  const auto at = [](double longitude) {
+    return glm::dvec3(0.8 * std::cos(longitude), 0.8 * std::sin(longitude), 0.6);
+  };
+  for (const double turn : {0.0, 0.4, 2.5, -1.0}) {
+    for (const double longitude : {0.0, 1.0, -2.0}) {
+      // What was at a longitude before is now further on by the turn.
+      EXPECT_LT(glm::distance(f64::drifted(at(longitude + turn), turn_by(turn)), at(longitude)), 1e-12);
+    }
+  }
+}
+
+TEST(CloudNoiseOf, IsTheMeanOfLayersAndRisesAlongBelts) {
+  EXPECT_DOUBLE_EQ(f64::cloud_noise_of(0.6, 1.5, 0.0, 0.3), 0.4);
+  EXPECT_NEAR(f64::cloud_noise_of(0.6, 1.5, 1.0, 0.0) - 0.4, 0.22, 1e-12);   // the equator
+  EXPECT_NEAR(f64::cloud_noise_of(0.6, 1.5, 0.5, 0.5) - 0.4, -0.11, 1e-12);  // 30 degrees
+  EXPECT_NEAR(f64::cloud_noise_of(0.0, 1.5, 1.0, std::sin(std::numbers::pi / 12.0)), 0.0, 1e-12);
+}
+
+TEST(NoiseToMap, HoldsAllNoiseAndGivesItBack) {
+  EXPECT_NEAR(f64::noise_to_map(-1.02), 0.0, 1e-15);
+  EXPECT_NEAR(f64::noise_to_map(1.02), 1.0, 1e-15);
+  EXPECT_EQ(f64::noise_to_map(0.0), 0.5);
+  for (double noise = -1.02; noise <= 1.02; noise += 0.01) {
+    EXPECT_NEAR(f64::noise_from_map(f64::noise_to_map(noise)), noise, 1e-15);
+  }
+}
+
+// What moves an idea of one place by a seed moves all: clouds, ripples and the ground have nothing in common.
+TEST(Seeds, OfCloudsAndRipplesDifferForEveryPlanet) {
+  for (int seed = 0; seed < 100; ++seed) {
+    EXPECT_NE(f64::cloud_seed(seed), f64::ripple_seed(seed));
+    EXPECT_NE(f64::cloud_seed(seed), static_cast<unsigned>(seed));
+    EXPECT_EQ(f64::cloud_seed(seed + 1), f64::cloud_seed(seed) + 1U);
+    EXPECT_EQ(f64::ripple_seed(seed + 1), f64::ripple_seed(seed) + 1U);
+  }
+}
+
 }  // namespace
 }  // namespace terrella

@@ -58,5 +58,30 @@ TEST(Dither, IsBalancedAndWithinOneStep) {
   EXPECT_GT(histogram[9] + histogram[10], 6 * (histogram[0] + histogram[19]));
 }
 
+TEST(Luminance, OfWhiteIsOneAndMostOfItGreen) {
+  EXPECT_NEAR(f64::luminance(glm::dvec3(1.0)), 1.0, 1e-12);
+  EXPECT_NEAR(f64::luminance({1.0, 0.0, 0.0}), 0.2126, 1e-12);  // IEC 61966-2-1
+  EXPECT_NEAR(f64::luminance({0.0, 0.0, 1.0}), 0.0722, 1e-12);
+}
+
+TEST(ToneMap, CurvesPassTheirKnownPoints) {
+  // Narkowicz's curve at 1 is 2.54 / 3.16; the exposure before it is 0.6.
+  EXPECT_NEAR(f64::filmic(1.0 / 0.6), 2.54 / 3.16, 1e-12);
+  EXPECT_LT(f64::filmic(0.01) / 0.01, f64::filmic(0.05) / 0.05);  // a toe
+  // Reinhard: luminance L becomes L / (1 + L), and colours keep their proportions.
+  const glm::dvec3 light(0.5, 3.0, 0.2), mapped = f64::tone_map(light, 1);
+  const double l = f64::luminance(light);
+  EXPECT_NEAR(f64::luminance(mapped), l / (1.0 + l), 1e-12);
+  EXPECT_NEAR(mapped.g / mapped.r, 6.0, 1e-12);
+  EXPECT_EQ(f64::tone_map({0.5, 3.0, 0.2}, 2), glm::dvec3(0.5, 1.0, 0.2));
+}
+
+TEST(Srgb, TakesEachChannelAndHoldsItToItsEnds) {
+  const glm::dvec3 encoded = f64::srgb({0.5, 2.0, -1.0});
+  EXPECT_EQ(encoded.r, f64::srgb_encode(0.5));
+  EXPECT_EQ(encoded.g, f64::srgb_encode(1.0));
+  EXPECT_EQ(encoded.b, f64::srgb_encode(0.0));
+}
+
 }  // namespace
 }  // namespace terrella

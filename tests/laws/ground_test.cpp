@@ -63,5 +63,80 @@ TEST(GroundColor, ChangesWithoutAStepOverTheShore) {
   }
 }
 
+TEST(GroundAlbedo, IsDarkerInHollowsAsFarAsAsked) {
+  f64::Bands b = bands();
+  b.sea = {0.01, 0.02, 0.05};
+  const glm::dvec3 up(0.6, 0.0, 0.8);
+  f64::GroundAt ground{glm::dvec3(0.0), 0.0, 0.01};
+  b.hollows = 0.0;
+  const glm::dvec3 plain = f64::ground_albedo(up, ground, up, b);
+  EXPECT_LT(glm::distance(plain, f64::ground_color(0.01, 0.0, 0.8, 0.0, b)), 1e-12);
+  b.hollows = 1.0;
+  EXPECT_LT(glm::distance(f64::ground_albedo(up, ground, up, b), 0.5 * plain), 1e-12);
+  ground.openness = 1.0;
+  EXPECT_LT(glm::distance(f64::ground_albedo(up, ground, up, b), 1.3 * plain), 1e-12);
+  b.hollows = 0.5;
+  EXPECT_LT(glm::distance(f64::ground_albedo(up, ground, up, b), 1.15 * plain), 1e-12);
+}
+
+TEST(GroundAlbedo, KnowsSlopesByTheNormalAndBreaksUpLinesByTheGradient) {
+  f64::Bands b = bands();
+  b.sea = {0.01, 0.02, 0.05};
+  b.hollows = 0.0;
+  const glm::dvec3 up(0.6, 0.0, 0.8), aside(0.8, 0.0, -0.6);
+  f64::GroundAt ground{glm::dvec3(0.0), 0.5, 0.01};
+  const glm::dvec3 steep = f64::ground_albedo(up, ground, 0.6 * up + 0.8 * aside, b);
+  EXPECT_LT(glm::distance(steep, f64::ground_color(0.01, 0.4, 0.8, 0.0, b)), 1e-12);
+  ground.gradient = {0.61, -0.52, 0.60};  // 0.8 of its square, 1.0025
+  EXPECT_LT(glm::distance(f64::ground_albedo(up, ground, up, b),
+                          f64::ground_color(0.01, 0.0, 0.8, 0.8 * glm::dot(ground.gradient, ground.gradient), b)),
+            1e-12);
+  ground.gradient *= -9.0;
+  EXPECT_LT(glm::distance(f64::ground_albedo(up, ground, up, b), f64::ground_color(0.01, 0.0, 0.8, -1.0, b)), 1e-12);
+}
+
+TEST(Grained, ChangesNothingInTheMeanAndAThirdAtTheMost) {
+  const glm::dvec3 albedo(0.4, 0.2, 0.1);
+  EXPECT_EQ(f64::grained(albedo, 0.0), albedo);
+  EXPECT_LT(glm::distance(f64::grained(albedo, 1.0), 1.35 * albedo), 1e-12);
+  EXPECT_LT(glm::distance(f64::grained(albedo, 0.3) + f64::grained(albedo, -0.3), 2.0 * albedo), 1e-12);
+}
+
+TEST(GroundLight, FollowsLambertAndTheCloudsBeforeTheSun) {
+  f64::SceneLight scene;
+  scene.eye = {0.0, 0.0, 3.0};
+  scene.eye_height = 2.0;
+  scene.sun = {0.0, 0.0, 1.0};
+  scene.sunlight = {2.0, 1.8, 1.5};
+  scene.ambient = 0.1;
+  scene.sky_glow = glm::dvec3(0.0);
+  scene.air = {1.1, 0.5, 3.0, 0.2, {0.3, 0.5, 1.0}, {1.0, 0.4, 0.2}};
+  const glm::dvec3 albedo(0.4, 0.2, 0.1), up(0.0, 0.6, 0.8);
+  const f64::LightAt at = f64::light_at(up, 0.0, scene);
+  const auto by_sun = [&](double cosine, double shade) {  // without what the sky gives
+    const glm::dvec3 normal(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+    const glm::dvec3 sky = albedo * f64::skylight(at, normal, scene) * (0.7 + 0.3 * shade) * 0.6;
+    return f64::ground_light(albedo, normal, at, shade, scene) - sky;
+  };
+  EXPECT_LT(glm::distance(by_sun(1.0, 1.0), 0.6 * albedo * at.sun), 1e-12);
+  EXPECT_LT(glm::distance(by_sun(0.5, 1.0), 0.3 * albedo * at.sun), 1e-12);
+  EXPECT_LT(glm::distance(by_sun(0.5, 0.4), 0.12 * albedo * at.sun), 1e-12);
+  EXPECT_LT(glm::length(by_sun(1.0, 0.0)), 1e-12);
+  EXPECT_LT(glm::length(by_sun(-0.5, 1.0)), 1e-12);
+  // No more than what falls in.
+  EXPECT_LT(f64::ground_light(glm::dvec3(1.0), scene.sun, at, 1.0, scene).r,
+            at.sun.r + f64::skylight(at, scene.sun, scene).r);
+}
+
+TEST(GroundColor, IsTheSameNorthAndSouth) {
+  f64::Bands b = bands();
+  b.sea = {0.01, 0.02, 0.05};
+  for (double sine = 0.0; sine <= 1.0; sine += 0.05) {
+    for (const double height : {-0.01, 0.01, 0.05}) {
+      EXPECT_EQ(f64::ground_color(height, 0.1, sine, 0.3, b), f64::ground_color(height, 0.1, -sine, 0.3, b));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace terrella

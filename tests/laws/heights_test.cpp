@@ -212,5 +212,50 @@ TEST(SurfaceNormal, IsThatOfTheDisplacedSurface) {
   }
 }
 
+TEST(HeightPower, SlopeIsKnownFromTheHeightThatItHasGiven) {
+  for (const double p : {0.5, 1.0, 2.1, 4.0}) {
+    for (double h = 0.05; h < 0.99; h += 0.01) {
+      const double slope = f64::height_power_slope(h, 0.2, p);
+      EXPECT_NEAR(f64::height_power_slope_at(f64::height_power(h, 0.2, p), 0.2, p), slope, 1e-9 * (1.0 + slope));
+    }
+  }
+  for (const double value : {-0.1, 0.0, 0.2, 0.3}) {
+    EXPECT_TRUE(std::isfinite(f64::height_power_slope_at(value, 0.2, 0.0)));
+    EXPECT_TRUE(std::isfinite(f64::height_power_slope_at(value, 0.0, 2.0)));
+  }
+}
+
+TEST(Layer, SlopeIsTheDerivativeAndItsMeanIsWhatItLeavesBehind) {
+  Places places(27U);
+  for (const bool ridged : {false, true}) {
+    double sum = 0.0;
+    const int count = 100'000;
+    for (int i = 0; i < count; ++i) {
+      const double n = f64::simplex_noise(glm::ivec3(0), places.in_cube(100.0), 5U).value;
+      sum += f64::layer_value(n, ridged, 1000.0);
+      const double change =
+          (f64::layer_value(n + 1e-6, ridged, 14.0) - f64::layer_value(n - 1e-6, ridged, 14.0)) / 2e-6;
+      ASSERT_NEAR(f64::layer_slope(n, ridged, 14.0), change, 1e-6);
+    }
+    EXPECT_NEAR(sum / count, f64::layer_mean(ridged), 0.01);
+  }
+  EXPECT_EQ(f64::layer_value(1.0, false, 14.0), 1.0);
+  EXPECT_EQ(f64::layer_value(-1.0, false, 14.0), 0.0);
+  EXPECT_EQ(f64::layer_value(0.0, true, 14.0), 1.0);
+}
+
+TEST(SlopeNormal, IsAtRightAnglesToTheSurface) {
+  Places places(28U);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dvec3 d = places.on_sphere(), east = f64::perpendicular(d), north = glm::cross(d, east);
+    const double radius = places.between(0.5, 2.0), a = places.between(-2.0, 2.0), b = places.between(-2.0, 2.0);
+    const glm::dvec3 n = f64::slope_normal(d, radius, a * east + b * north);
+    ASSERT_NEAR(glm::length(n), 1.0, 1e-12);
+    ASSERT_GT(glm::dot(n, d), 0.0);
+    ASSERT_NEAR(glm::dot(n, radius * east + a * d), 0.0, 1e-12);
+    ASSERT_NEAR(glm::dot(n, radius * north + b * d), 0.0, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace terrella

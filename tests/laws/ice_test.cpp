@@ -75,5 +75,29 @@ TEST(Floes, LeaveNoStepInTheCover) {
   }
 }
 
+TEST(PolarSine, IsThatOfTheLatitudeAndNowhereFromThePoleOn) {
+  EXPECT_NEAR(f64::polar_sine(30.0), 0.5, 1e-12);
+  EXPECT_NEAR(f64::polar_sine(-90.0), -1.0, 1e-12);
+  EXPECT_EQ(f64::polar_sine(90.0), 2.0);
+}
+
+// At its edge most floes are missing, further in cracks are left between them, and then it is whole.
+TEST(Ice, ClosesUpFromItsEdgeInwards) {
+  const f64::Ice wide = {0.04, 0.7, 5U};
+  const auto covered = [&](double within) {
+    int count = 0;
+    for (int i = 0; i < 5000; ++i) {
+      const double z = wide.sine + within, level = std::sqrt(1.0 - z * z), longitude = 1.3e-3 * i;
+      if (f64::ice_cover({level * std::cos(longitude), level * std::sin(longitude), z}, wide, 1e-4) > 0.0) ++count;
+    }
+    return count / 5000.0;
+  };
+  EXPECT_EQ(covered(-0.07), 0.0);
+  EXPECT_LT(covered(-0.02), 0.45);
+  EXPECT_GT(covered(0.02), covered(-0.02));
+  EXPECT_GT(covered(0.08), covered(0.02));
+  EXPECT_EQ(covered(0.16), 1.0);
+}
+
 }  // namespace
 }  // namespace terrella

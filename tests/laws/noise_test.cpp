@@ -1,6 +1,8 @@
 // The laws of the noise. Bounds stand just outside of what was measured; the measured figure is in the comment.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
 
@@ -195,6 +197,15 @@ TEST(AmplitudeSum, IsThatOfTheLayers) {
       EXPECT_NEAR(f64::amplitude_sum(persistence, count), sum, 0.012 * sum);
     }
   }
+}
+
+// What two layers had in common would show as the same hills twice, on one planet or on the next.
+TEST(LayerSeed, IsAnotherForEachLayerOfEachPlanet) {
+  std::set<unsigned> seeds;
+  for (unsigned planet = 0; planet < 100; ++planet) {
+    for (int layer = 0; layer < 32; ++layer) seeds.insert(f64::layer_seed(layer, planet));
+  }
+  EXPECT_EQ(seeds.size(), 3200U);
 }
 
 }  // namespace

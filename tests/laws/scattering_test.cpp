@@ -250,5 +250,13 @@ TEST(SingleScatter, IsSplitWhereTheRayEntersAndLeavesTheShadow) {
   EXPECT_LT(glm::distance(before.rayleigh + left * rest.rayleigh, whole.rayleigh), 1e-7 * whole.rayleigh.r);
 }
 
+TEST(GaussPoint, IntegratesPolynomialsUpToTheSeventhDegree) {
+  for (int degree = 0; degree <= 7; ++degree) {
+    double sum = 0.0;
+    for (int i = 0; i < 4; ++i) sum += f64::gauss_point(i).y * std::pow(f64::gauss_point(i).x, degree);
+    EXPECT_NEAR(sum, degree % 2 == 0 ? 2.0 / (degree + 1) : 0.0, 1e-15) << degree;
+  }
+}
+
 }  // namespace
 }  // namespace terrella

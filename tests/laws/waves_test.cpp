@@ -122,5 +122,78 @@ TEST(Waves, HeldBackByShallowsKeepTheirExactNormal) {
   }
 }
 
+TEST(Frame, IsRightHandedWithItsPlaceUp) {
+  Places places(34U);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dvec3 v = places.on_sphere();
+    const f64::Frame f = f64::frame_at(v);
+    ASSERT_LT(glm::distance(glm::cross(f.east, f.north), v), 1e-12);
+    ASSERT_NEAR(glm::length(f.east), 1.0, 1e-12);
+    ASSERT_NEAR(glm::dot(f.east, v), 0.0, 1e-12);
+  }
+}
+
+TEST(WaveWeight, ShowsAllOfWhatHasFourSamplesAWavelengthAndNothingUnderTwo) {
+  const double wavelength = 0.03, wavenumber = 2.0 * std::numbers::pi / wavelength;
+  EXPECT_EQ(f64::wave_weight(wavenumber, 0.249 * wavelength), 1.0);
+  EXPECT_NEAR(f64::wave_weight(wavenumber, 0.375 * wavelength), 0.5, 1e-12);
+  EXPECT_EQ(f64::wave_weight(wavenumber, 0.501 * wavelength), 0.0);
+}
+
+// Ground that rises along an axis: the water's depth at v is depth(v), and the ground's slope is the gradient of
+// -depth.
+TEST(HeldByGround, SlopesAndStretchesAreTheDerivativesOfWhatIsHeld) {
+  Places places(35U);
+  const auto waves = sea(6, 0.8, 4U);
+  const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, 0.5, 0.8));
+  const double whole = 0.02;
+  const auto depth = [&](const glm::dvec3& v) { return 0.01 + 0.012 * std::sin(3.0 * glm::dot(v, axis)); };
+  const auto held = [&](const glm::dvec3& v) {
+    const f64::Frame f = f64::frame_at(v);
+    const double slope = -0.036 * std::cos(3.0 * glm::dot(v, axis));
+    const glm::dvec2 ground(slope * glm::dot(axis, f.east), slope * glm::dot(axis, f.north));
+    return f64::held_by_ground(sum_at(waves, v, f), depth(v), ground, whole);
+  };
+  const auto moved = [&](const glm::dvec3& v) { return v + f64::wave_offset(v, f64::frame_at(v), held(v)); };
+  int partly = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec3 v = places.on_sphere();
+    if (depth(v) > 0.0 && depth(v) < whole) ++partly;
+    const f64::Frame f = f64::frame_at(v);
+    const f64::WaveSum sum = held(v);
+    const double h = 1e-5;
+    for (int side = 0; side < 2; ++side) {
+      const glm::dvec3 e = side == 0 ? f.east : f.north;
+      const glm::dvec3 ahead = std::cos(h) * v + std::sin(h) * e, back = std::cos(h) * v - std::sin(h) * e;
+      const glm::dvec3 change = (moved(ahead) - moved(back)) / (2.0 * h);
+      // The tangents that wave_normal takes the product of.
+      const double along = 1.0 + sum.height;
+      const glm::dvec3 expected = side == 0
+                                      ? (along + sum.stretch_ee) * f.east + sum.stretch_ne * f.north + sum.slope.x * v
+                                      : sum.stretch_en * f.east + (along + sum.stretch_nn) * f.north + sum.slope.y * v;
+      ASSERT_LT(glm::distance(change, expected), 2e-6);
+    }
+  }
+  EXPECT_GT(partly, 500);
+}
+
+TEST(HeldByGround, LeavesDeepWaterAloneAndHasNoWavesOnLand) {
+  const auto waves = sea(6, 0.8, 4U);
+  const glm::dvec3 v = glm::normalize(glm::dvec3(1.0, 2.0, 3.0));
+  const f64::WaveSum free = sum_at(waves, v, f64::frame_at(v));
+  const f64::WaveSum deep = f64::held_by_ground(free, 0.02, {0.3, -0.2}, 0.02);
+  EXPECT_EQ(deep.height, free.height);
+  EXPECT_EQ(deep.slope, free.slope);
+  EXPECT_EQ(deep.stretch_en, free.stretch_en);
+  const f64::WaveSum half = f64::held_by_ground(free, 0.01, {0.0, 0.0}, 0.02);
+  EXPECT_NEAR(half.height, 0.5 * free.height, 1e-15);
+  for (const double depth : {0.0, -0.01}) {
+    const f64::WaveSum land = f64::held_by_ground(free, depth, {0.3, -0.2}, 0.02);
+    EXPECT_EQ(land.height, 0.0);
+    EXPECT_EQ(glm::length(land.shift), 0.0);
+    EXPECT_EQ(f64::wave_normal(land), glm::dvec3(0.0, 0.0, 1.0));
+  }
+}
+
 }  // namespace
 }  // namespace terrella
