@@ -92,13 +92,14 @@ Veil air_before_sky(vec3 ray, SceneLight scene) {
 // Part of the light from infinity that reaches the eye, 0..1: what the planet's air leaves of it, and from within the air
 // the daylight. direction: unit, away from the eye.
 float sky_shown(vec3 direction, SceneLight scene) {
-  if (scene.air.density <= 0.0) return 1.0;
   vec3 up = normalize(scene.eye);
   float thickness = scene.air.top - 1.0;
   float within = 1.0 - smoothstep(0.9 * thickness, thickness, scene.eye_height);
   float by_daylight = exp(-6.0 * scene.air.density * smoothstep(-0.25, 0.1, dot(up, scene.sun))) *
                       smoothstep(0.0, 0.3, dot(up, direction));
-  return mix(sky_past_air(scene.eye, direction, scene.air.top), by_daylight, within);
+  // The thinnest air hides nothing.
+  float hides = min(4.0 * scene.air.density, 1.0);
+  return mix(1.0, mix(sky_past_air(scene.eye, direction, scene.air.top), by_daylight, within), hides);
 }
 
 // Sunlight as it comes to the eye: through the air around the eye, or, from outside, through that along the planet's limb.
