@@ -28,7 +28,7 @@ test: setup-test build-native build-sanitize build-web
 measure: native
 	build/native/terrella measure --extremes --out build/measure
 
-# In a copy under build/mutation; takes a quarter of an hour or more, so it is no part of `make test`.
+# In a copy under build/mutation; takes ten minutes or more, so it is no part of `make test`.
 mutation: setup-native
 	tests/mutation/run.sh
 
