@@ -148,7 +148,6 @@ void print_needs(const Needs& needs) {
   }
 }
 
-#include "planet/validity.hpp"
 std::vector<std::string> beyond_range(const Renderer& renderer, const Task& task) {
   View view;
   view.width = task.still.width;

@@ -27,11 +27,14 @@ BesideReference beside_reference(const Scene& scene, const View& view, Pixels li
     const int x = static_cast<int>(place.x * view.width), y = static_cast<int>(place.y * view.height);
     const reference::Sample sample = tracer.sample({x + 0.5, y + 0.5});
     const auto pixel = static_cast<std::size_t>(4 * ((view.height - 1 - y) * view.width + x));
-    double off = 0.0;
+    double off = 0.0, brightest = 0.0;
     for (int c = 0; c < 3; ++c) {
       const double drawn = double{light[pixel + static_cast<std::size_t>(c)]};
-      off = std::max(off, std::abs(std::clamp(drawn, 0.0, 1.0) - std::clamp(sample.light[c] * exposure, 0.0, 1.0)));
+      const double is = std::clamp(sample.light[c] * exposure, 0.0, 1.0);
+      off = std::max(off, std::abs(std::clamp(drawn, 0.0, 1.0) - is));
+      brightest = std::max(brightest, is);
     }
+    beside.brightness += brightest / places;
     beside.light += off / places;
     if (std::isinf(distance[pixel]) != std::isinf(sample.distance)) beside.silhouette += 1.0 / places;
   }

@@ -8,6 +8,7 @@ namespace terrella {
 
 struct BesideReference {
   double light = 0.0;       // mean over the places of how far light, held to 0..1, is off in its worst channel
+  double brightness = 0.0;  // mean over the places of the reference's light, held to 0..1, in its brightest channel
   double silhouette = 0.0;  // part of the places where only one of both shows the planet
 };
 

@@ -16,13 +16,16 @@ const char* name_of(Extent extent) {
   return extent == Extent::full ? "full" : extent == Extent::quick ? "quick" : "sample";
 }
 
-// Where the range is left: of the values that are warned of, that with the least error. None: it holds all along.
+// Where the program first says that the range is left: the warned value that lies next to one that is not. None: it
+// holds all along.
 const LimitPoint* first_beyond(const Limit& limit) {
-  const LimitPoint* first = nullptr;
-  for (const LimitPoint& point : limit.points) {
-    if (point.warned && (first == nullptr || point.error < first->error)) first = &point;
+  for (std::size_t i = 0; i < limit.points.size(); ++i) {
+    const LimitPoint& point = limit.points[i];
+    const bool beside_a_good_one =
+        (i > 0 && !limit.points[i - 1].warned) || (i + 1 < limit.points.size() && !limit.points[i + 1].warned);
+    if (point.warned && beside_a_good_one) return &point;
   }
-  return first;
+  return nullptr;
 }
 
 std::string short_number(double value) {

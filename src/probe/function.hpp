@@ -32,7 +32,8 @@ enum class Kind {
   objects,  // a list of objects with `fields`, at most kLongestList
 };
 
-inline constexpr std::size_t kLongestList = 100'000;
+// Software rasterizers end a loop after 65,536 turns.
+inline constexpr std::size_t kLongestList = 50'000;
 
 struct Range {
   double low = -std::numeric_limits<double>::infinity();

@@ -109,7 +109,10 @@ bool Ground::stays_below(const glm::dvec3& direction, double chord, double radiu
   const bool ice =
       terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0 && std::abs(direction.z) + chord > terrain_.ice.sine - 0.08;
   if (ice && 1.0 + terrain_.ice.sea + f64::ice_thickness >= radius) return false;
-  if (terrain_.octaves == 0) return radius > 1.0;
+  // No ground lies lower than the unit sphere, and a flat one lies at one height.
+  if (radius <= 1.0) return false;
+  if (terrain_.octaves == 0 || terrain_.height <= 0.0) return true;
+  if (terrain_.power == 0.0) return highest_ < radius;
   const double dug_up = most_dug_up(direction, chord) / std::max(terrain_.height, 1e-12);
   const double allowed = (sum_for_height(radius - 1.0, terrain_) - dug_up) * total_;
   const double range = layer_range(terrain_);

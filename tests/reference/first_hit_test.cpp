@@ -113,5 +113,38 @@ TEST(FirstHit, OfAFlatGroundIsThatOfTheSphere) {
   }
 }
 
+// What the bound says of a cap is true of every place in it: grounds of all kinds, radii on both sides of the sphere.
+TEST(GroundBound, IsTrueOfAllGrounds) {
+  Places places(17U);
+  const int grounds = test::sanitized ? 10 : 60;
+  int below = 0;
+  for (int g = 0; g < grounds; ++g) {
+    Scene scene;
+    scene.planet.seed = g;
+    scene.water.level = g % 3 == 0 ? 0.02 : 0.0;
+    auto& terrain = scene.terrain;
+    terrain.height = g % 5 == 0 ? 0.0 : places.between(0.0, 0.4);
+    terrain.power = g % 4 == 0 ? 0.0 : places.between(0.0, 4.0);
+    terrain.octaves = g % 7;
+    terrain.persistence = places.between(0.0, 1.5);
+    terrain.lacunarity = places.between(1.0, 4.0);
+    terrain.ridged = g % 2 == 0;
+    terrain.craters = g % 2 == 0 ? 1.0 : 0.0;
+    terrain.crater_sizes = g % 6;
+    const Ground ground(scene);
+    for (int i = 0; i < 300; ++i) {
+      const glm::dvec3 middle = places.on_sphere();
+      const double chord = std::pow(10.0, places.between(-4.0, -0.5)), radius = places.between(0.9, 1.5);
+      if (!ground.stays_below(middle, chord, radius)) continue;
+      ++below;
+      for (int k = 0; k < 20; ++k) {
+        const glm::dvec3 beside = glm::normalize(middle + 0.98 * chord * places.in_cube(0.577));
+        ASSERT_LT(ground.radius_at(beside), radius) << "ground " << g << ", chord " << chord;
+      }
+    }
+  }
+  EXPECT_GT(below, 100);
+}
+
 }  // namespace
 }  // namespace terrella
