@@ -57,8 +57,9 @@ WaterAt Sea::from(const glm::dvec3& still, bool deep) const {
 }
 
 WaterAt Sea::over(const glm::dvec3& direction) const {
-  WaterAt at = over(direction, deep_around(direction, 1.01 * most_shift_));
-  at.depth = depth_at(at.still);
+  const bool deep = deep_around(direction, 1.01 * most_shift_);
+  WaterAt at = over(direction, deep);
+  if (deep) at.depth = depth_at(at.still);  // otherwise it is known
   return at;
 }
 

@@ -44,7 +44,8 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
       rings_(rings_of(scene)),
       small_lights_(scene, view, pose_, light_),
       resolution_(0.25 * pose_.pixel_angle),
-      water_level_(terrella::water_level(scene) / scene.planet.radius) {
+      water_level_(terrella::water_level(scene) / scene.planet.radius),
+      top_radius_(top_radius(scene)) {
   if (has_ground(scene)) ground_.emplace(scene, left_out.ground);
   if (has_water(scene)) sea_.emplace(scene, view.seconds, ground_ ? &*ground_ : nullptr);
   if (has_clouds(scene)) clouds_.emplace(scene, view.seconds, left_out.clouds);
@@ -104,14 +105,19 @@ Sample Tracer::measured(const std::optional<Surface>& surface) const {
 
 double Tracer::shade_at(const glm::dvec3& place) const { return clouds_ ? clouds_->shade(place, light_.sun) : 1.0; }
 
-glm::dvec3 Tracer::light_of_ground(const glm::dvec3& place) const {
-  const double radius = glm::length(place);
-  const glm::dvec3 up = place / radius;
+f64::GroundAt Tracer::ground_at(const glm::dvec3& up) const {
   const f64::Height height = ground_->height_at(up);
   f64::GroundAt ground;
   ground.gradient = height.gradient - glm::dot(height.gradient, up) * up;
   ground.openness = height.openness;
   ground.height = height.value - water_level_;
+  return ground;
+}
+
+glm::dvec3 Tracer::light_of_ground(const glm::dvec3& place) const {
+  const double radius = glm::length(place);
+  const glm::dvec3 up = place / radius;
+  const f64::GroundAt ground = ground_at(up);
   const glm::dvec3 normal = f64::slope_normal(up, radius, ground.gradient);
   return f64::ground_light(f64::ground_albedo(up, ground, normal, bands_), normal,
                            f64::light_at(up, radius - 1.0, light_), shade_at(place), light_);
@@ -122,12 +128,9 @@ glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at
   const auto way = ground_ ? ground_->hit(refracted, infinity, resolution) : std::nullopt;
   if (!way) return f64::light_through(glm::dvec3(0.0), at.up, bottomless, bottomless, at, shade, look_, light_);
   const glm::dvec3 up = glm::normalize(refracted.at(*way));
-  const f64::Height height = ground_->height_at(up);
-  f64::GroundAt bottom;
-  bottom.gradient = height.gradient - glm::dot(height.gradient, up) * up;
-  bottom.openness = height.openness;
-  bottom.height = std::min(height.value - water_level_, 0.0);
-  const glm::dvec3 normal = f64::slope_normal(up, 1.0 + height.value, bottom.gradient);
+  f64::GroundAt bottom = ground_at(up);
+  const glm::dvec3 normal = f64::slope_normal(up, 1.0 + water_level_ + bottom.height, bottom.gradient);
+  bottom.height = std::min(bottom.height, 0.0);
   return f64::light_through(f64::ground_albedo(up, bottom, normal, bands_), normal, -bottom.height, *way, at, shade,
                             look_, light_);
 }
@@ -192,8 +195,8 @@ glm::dvec3 Tracer::before_veils(const Ray& ray, double distance, glm::dvec3 ligh
       light = behind(f64::cloud_veil(cloud, *t * ray.direction, clouds_->clouds(), light_), light);
     }
   }
-  if (has_rings(scene_) && glm::length(pose_.eye) > top_radius(scene_)) {
-    const auto t = meets_sphere(ray, top_radius(scene_));
+  if (has_rings(scene_) && glm::length(pose_.eye) > top_radius_) {
+    const auto t = meets_sphere(ray, top_radius_);
     if (t && *t < distance) light *= 1.0 - f64::ring_shadow(ray.at(*t), rings_, light_);
   }
   if (rings_at < infinity && !rings_behind) add_rings();

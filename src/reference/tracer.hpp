@@ -47,6 +47,8 @@ class Tracer {
   [[nodiscard]] f64::Water water_look_at(const Surface& surface) const;
   [[nodiscard]] Sample measured(const std::optional<Surface>& surface) const;
   [[nodiscard]] double shade_at(const glm::dvec3& place) const;
+  // What the ground is at a direction (unit).
+  [[nodiscard]] f64::GroundAt ground_at(const glm::dvec3& up) const;
   // place: on the ground.
   [[nodiscard]] glm::dvec3 light_of_ground(const glm::dvec3& place) const;
   [[nodiscard]] glm::dvec3 light_of_water(const Ray& ray, const Surface& surface) const;
@@ -70,7 +72,8 @@ class Tracer {
   SmallLights small_lights_;
   double resolution_;  // of first_hit
   double water_level_;
-  double free_sun_;  // part of the sun's disc that the planet leaves free
+  double top_radius_;  // on which the rings' shadow is drawn
+  double free_sun_;    // part of the sun's disc that the planet leaves free
 };
 
 }  // namespace terrella::reference
