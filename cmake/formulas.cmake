@@ -10,11 +10,7 @@ cmake_minimum_required(VERSION 3.25)
 
 include(${CMAKE_CURRENT_LIST_DIR}/glsl.cmake)
 
-file(GLOB lib RELATIVE ${GLSL_FOLDERS} ${GLSL_FOLDERS}/lib/*.glsl)
-set(files "")
-foreach(file IN LISTS lib)
-  glsl_order(${file} files)
-endforeach()
+glsl_library(files)
 
 set(formulas "")
 foreach(file IN LISTS files)

@@ -44,3 +44,26 @@ function(glsl_read file out)
   string(SUBSTRING "${text}" 1 -1 text)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
+
+# glsl_library(out): all files of lib, each after those that it includes.
+function(glsl_library out)
+  file(GLOB lib RELATIVE ${GLSL_FOLDERS} ${GLSL_FOLDERS}/lib/*.glsl)
+  set(ordered "")
+  foreach(file IN LISTS lib)
+    glsl_order(${file} ordered)
+  endforeach()
+  set(${out} ${ordered} PARENT_SCOPE)
+endfunction()
+
+# glsl_literals(files out): their texts as literals of C++ with a comma behind each. The #line makes a driver's message
+# name the file, by its place in the list, and its line.
+function(glsl_literals files out)
+  set(texts "")
+  set(number 0)
+  foreach(file IN LISTS files)
+    glsl_read(${file} code)
+    string(APPEND texts "    R\"glsl(#line 1 ${number} // ${file}\n${code})glsl\",\n")
+    math(EXPR number "${number} + 1")
+  endforeach()
+  set(${out} "${texts}" PARENT_SCOPE)
+endfunction()

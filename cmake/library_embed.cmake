@@ -5,19 +5,9 @@ cmake_minimum_required(VERSION 3.25)
 
 include(${CMAKE_CURRENT_LIST_DIR}/glsl.cmake)
 
-file(GLOB lib RELATIVE ${GLSL_FOLDERS} ${GLSL_FOLDERS}/lib/*.glsl)
-set(files "")
-foreach(file IN LISTS lib)
-  glsl_order(${file} files)
-endforeach()
+glsl_library(files)
 
-set(texts "")
-set(number 0)
-foreach(file IN LISTS files)
-  glsl_read(${file} code)
-  string(APPEND texts "    R\"glsl(#line 1 ${number} // ${file}\n${code})glsl\",\n")
-  math(EXPR number "${number} + 1")
-endforeach()
+glsl_literals("${files}" texts)
 
 file(WRITE ${OUT} "// Made by cmake/library_embed.cmake.
 #include \"probe/gpu.hpp\"

@@ -21,14 +21,7 @@ foreach(stage IN LISTS STAGES)
   string(APPEND stages "    {\"${stage}\", {${numbers}}},\n")
 endforeach()
 
-# The #line makes a driver's message name the piece and its line.
-set(texts "")
-set(number 0)
-foreach(piece IN LISTS pieces)
-  glsl_read(${piece} code)
-  string(APPEND texts "    R\"glsl(#line 1 ${number} // ${piece}\n${code})glsl\",\n")
-  math(EXPR number "${number} + 1")
-endforeach()
+glsl_literals("${pieces}" texts)
 
 file(WRITE ${OUT} "// Made by cmake/shader_embed.cmake.
 #include \"gl/shader_sources.hpp\"
