@@ -58,19 +58,21 @@ std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Sp
     }
     return below;
   };
-  // The nearest piece first. below: whether its end is known to lie under the surface.
+  // The nearest half first. The surface may reach the piece; below: its end is known to lie under it.
   const auto search = [&](const auto& self, double from, double to, bool below) -> std::optional<double> {
-    if (!below && clear(from, to)) return std::nullopt;
     if (to - from < std::max(resolution.per_distance * from, resolution.least)) {
       if (below || under_surface(to)) return crossing(from, to);
       return std::nullopt;
     }
     const double middle = 0.5 * (from + to);
-    const bool middle_below = under_surface(middle);
-    if (const auto found = self(self, from, middle, middle_below)) return found;
-    return middle_below ? std::nullopt : self(self, middle, to, below);
+    if (!clear(from, middle)) {
+      const bool middle_below = under_surface(middle);
+      if (const auto found = self(self, from, middle, middle_below)) return found;
+      if (middle_below) return std::nullopt;
+    }
+    return below || !clear(middle, to) ? self(self, middle, to, below) : std::nullopt;
   };
-  if (span.to <= span.from) return std::nullopt;
+  if (span.to <= span.from || clear(span.from, span.to)) return std::nullopt;
   return search(search, span.from, span.to, under_surface(span.to));
 }
 

@@ -12,17 +12,19 @@ namespace {
 constexpr int water_calm = 2;  // place in the choice list of params.inc
 constexpr double bottomless = 1.0;
 
+// Of a slope or a stretch, in wavenumbers of its wave: one that fades around its origin changes by half as much again.
+constexpr double fastest_change = 1.5;
+
 }  // namespace
 
 Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
     : radius_(water_radius(scene)), whole_depth_(1.0), ground_(ground) {
   if (scene.water.model != water_calm) sea_ = make_sea(scene, seconds);
   whole_depth_ = whole_wave_depth(scene, sea_);
-  // A wave that fades around its origin changes by half as much again.
   for (const f64::Wave& wave : sea_.waves) {
     most_shift_ += wave.pinch;
-    most_squeeze_ += 1.5 * wave.pinch * wave.wavenumber * wave.wavenumber;
-    most_curvature_ += 1.5 * wave.amplitude * wave.wavenumber * wave.wavenumber;
+    most_squeeze_ += fastest_change * wave.pinch * wave.wavenumber * wave.wavenumber;
+    most_curvature_ += fastest_change * wave.amplitude * wave.wavenumber * wave.wavenumber;
   }
 }
 
@@ -99,33 +101,63 @@ double Sea::most_of_deep_water(const WaterAt& middle, double chord) const {
   return glm::length(middle.place) + 1.02 * slope * away + 0.5 * most_curvature_ * away * away;
 }
 
+Sea::Range Sea::range_around(const glm::dvec3& direction, double chord, double told_from) const {
+  const f64::Frame frame = f64::frame_at(direction);
+  Range range = {-sea_.highest, sea_.highest};
+  // From how far water may come to lie there. Waves that are short beside that may stand at any height; of the longer
+  // ones slope and squeeze at the middle tell how they rise, and how far they move water: so a bound on the way gives a
+  // smaller one.
+  double away = chord + 1.01 * most_shift_;
+  for (int round = 0; round < 3; ++round) {
+    f64::WaveSum felt = f64::no_waves();
+    double any_height = 0.0, any_shift = 0.0, curvature = 0.0, squeeze = 0.0;
+    for (const f64::Wave& wave : sea_.waves) {
+      if (wave.wavenumber * away > 1.0) {
+        any_height += wave.amplitude;
+        any_shift += wave.pinch;
+      } else {
+        f64::add_wave(felt, direction, frame, wave, 1.0);
+        curvature += fastest_change * wave.amplitude * wave.wavenumber * wave.wavenumber;
+        squeeze += fastest_change * wave.pinch * wave.wavenumber * wave.wavenumber;
+      }
+    }
+    const double widest = glm::length(glm::dvec4(felt.stretch_ee, felt.stretch_en, felt.stretch_ne, felt.stretch_nn));
+    const double shift = glm::length(felt.shift);
+    double nearer = away;
+    for (int i = 0; i < 4; ++i) {
+      const double moved = shift + any_shift + widest * nearer + 0.5 * squeeze * nearer * nearer;
+      nearer = std::min(nearer, chord + 1.01 * moved);
+    }
+    const double aside = nearer - chord;
+    const double slope = 1.02 * (glm::length(felt.slope) + shift);
+    const double rise = any_height + slope * nearer + 0.5 * curvature * nearer * nearer;
+    range.least = std::max(range.least, felt.height - rise);
+    range.most = std::min(range.most, felt.height + rise + aside * aside);
+    if (range.most < told_from || range.least > told_from || nearer > 0.7 * away) break;
+    away = nearer;
+  }
+  return range;
+}
+
 bool Sea::reaches(const glm::dvec3& direction, double radius) const {
-  if (radius_ + sea_.highest < radius) return false;
+  const double height = radius - radius_;
+  if (sea_.highest < std::abs(height)) return height <= 0.0;
+  const Range range = range_around(direction, 0.0, height);
+  const bool above = range.most < height, below = range.least > height;
   const bool deep = deep_around(direction, 1.01 * most_shift_);
+  if (above && (deep || height > 0.0)) return false;
+  if (below && (deep || height < 0.0)) return true;
   return glm::length(over(direction, deep, radius).place) >= radius;
 }
 
-// The highest radius of water of any depth over all directions within chord of a direction: of any still place from
-// which water may come to lie there.
-double Sea::most_of_shallow_water(const glm::dvec3& direction, double chord) const {
-  const f64::WaveSum sum = whole_sum(direction, f64::frame_at(direction));
-  const double shift = glm::length(sum.shift);
-  const double widest = glm::length(glm::dvec4(sum.stretch_ee, sum.stretch_en, sum.stretch_ne, sum.stretch_nn));
-  // From how far it may come: each bound on the way gives a smaller one on how far water is moved there.
-  double away = chord + 1.01 * most_shift_;
-  for (int i = 0; i < 4; ++i)
-    away = std::min(away, chord + 1.01 * (shift + widest * away + 0.5 * most_squeeze_ * away * away));
-  const double rise = 1.02 * (glm::length(sum.slope) + shift) * away + 0.5 * most_curvature_ * away * away;
-  // The ground holds crests and troughs back, down to the still water.
-  return radius_ + std::clamp(sum.height + rise, 0.0, sea_.highest);
-}
-
 bool Sea::stays_below(const glm::dvec3& direction, double chord, double radius) const {
-  if (radius_ + sea_.highest < radius) return true;
-  if (!has_waves()) return radius_ < radius;
-  if (most_of_shallow_water(direction, chord) < radius) return true;
-  return deep_around(direction, chord + 2.02 * most_shift_) &&
-         most_of_deep_water(over(direction, true), chord) < radius;
+  const double height = radius - radius_;
+  if (sea_.highest < height) return true;
+  if (!has_waves()) return height > 0.0;
+  const bool deep = deep_around(direction, chord + 2.02 * most_shift_);
+  if (!deep && height <= 0.0) return false;
+  if (range_around(direction, chord, height).most < height) return true;
+  return deep && most_of_deep_water(over(direction, true), chord) < radius;
 }
 
 std::optional<double> Sea::hit(const Ray& ray, double before, const Resolution& resolution) const {

@@ -50,7 +50,12 @@ class Sea {
   // Whether the waves of all still places within a distance of a direction are whole.
   [[nodiscard]] bool deep_around(const glm::dvec3& direction, double distance) const;
   [[nodiscard]] f64::WaveSum whole_sum(const glm::dvec3& still, const f64::Frame& frame) const;
-  [[nodiscard]] double most_of_shallow_water(const glm::dvec3& direction, double chord) const;
+  // Bounds of the heights over the still sea, of all directions within chord of a direction; no tighter than is needed
+  // to tell them from a height. Where the ground holds the waves back, they lie between these and the still sea.
+  struct Range {
+    double least, most;
+  };
+  [[nodiscard]] Range range_around(const glm::dvec3& direction, double chord, double told_from) const;
   [[nodiscard]] double most_of_deep_water(const WaterAt& middle, double chord) const;
 
   terrella::Sea sea_;
