@@ -33,39 +33,69 @@ CraterShape crater_shape(float distance) {
   return shape;
 }
 
-// Adds the crater of one cell to a height and its gradient over the unit sphere, both in cells of its size.
-void add_crater(vec3 direction, float frequency, ivec3 cell, uint seed, inout float height, inout vec3 gradient) {
+// The crater of one cell.
+struct Crater {
+  vec3 centre;   // unit
+  float radius;  // cells
+  float depth;   // cells; 0: there is none
+};
+
+// frequency: cells per radius.
+Crater crater_of(ivec3 cell, float frequency, uint seed) {
+  Crater crater;
+  crater.depth = 0.0;
   vec3 centre = vec3(cell) + hash_parts(hash_cell(cell, seed)) / 1023.0;
   float from_origin = length(centre);
-  if (abs(from_origin - frequency) > crater_shell || from_origin < 0.5) return;
-  vec3 offset = direction - centre / from_origin;
+  if (abs(from_origin - frequency) > crater_shell || from_origin < 0.5) return crater;
   vec3 dice = hash_parts(hash_cell(cell, seed + 77u)) / 1023.0;
-  float radius = 0.10 + 0.18 * dice.x * dice.x;
-  float distance_to = length(offset) * frequency / radius;
-  if (distance_to >= crater_reach) return;
+  crater.centre = centre / from_origin;
+  crater.radius = 0.10 + 0.18 * dice.x * dice.x;
   // Old craters have been levelled.
-  float depth = 0.4 * radius * mix(0.3, 1.0, dice.y);
-  CraterShape shape = crater_shape(distance_to);
-  height += depth * shape.height;
-  gradient += (depth * shape.slope * frequency / (radius * max(length(offset), 1.0e-9))) * offset;
+  crater.depth = 0.4 * crater.radius * mix(0.3, 1.0, dice.y);
+  return crater;
 }
+
+// The seed of the craters of size i.
+uint crater_seed(int i, uint seed) {
+  return layer_seed(i, seed + 4409u);
+}
+
+// Adds the crater of one cell to a height and its gradient over the unit sphere, both in cells of its size.
+void add_crater(vec3 direction, float frequency, ivec3 cell, uint seed, inout float height, inout vec3 gradient) {
+  Crater crater = crater_of(cell, frequency, seed);
+  if (crater.depth <= 0.0) return;
+  vec3 offset = direction - crater.centre;
+  float away = length(offset) * frequency / crater.radius;
+  if (away >= crater_reach) return;
+  CraterShape shape = crater_shape(away);
+  height += crater.depth * shape.height;
+  gradient += (crater.depth * shape.slope * frequency / (crater.radius * max(length(offset), 1.0e-9))) * offset;
+}
+
+// How much of craters samples a footprint (rad) apart can show, 0..1. frequency: of their cells.
+float crater_weight(float frequency, float footprint) {
+  return layer_weight(2.5 * frequency, footprint);
+}
+
+// Sizes of craters follow each other by this factor of their frequencies.
+const float crater_step = 1.41421356;
 
 // Adds all craters at a direction (unit) to a height (planet radii) and its gradient over the unit sphere, without those
 // that samples a footprint (rad) apart can't show.
 void add_craters(vec3 direction, Craters c, float footprint, inout float height, inout vec3 gradient) {
   float frequency = c.frequency;
   for (int i = 0; i < c.sizes; ++i) {
-    float shown = c.depth * layer_weight(2.5 * frequency, footprint);
+    float shown = c.depth * crater_weight(frequency, footprint);
     if (shown <= 0.0) break;  // and so is that of all smaller ones
     ivec3 cell = ivec3(floor(direction * frequency - 0.5));
     float dug = 0.0;
     vec3 slope = vec3(0.0);
     for (int k = 0; k < 8; ++k) {
       ivec3 corner = ivec3(k & 1, (k >> 1) & 1, k >> 2);
-      add_crater(direction, frequency, cell + corner, layer_seed(i, c.seed + 4409u), dug, slope);
+      add_crater(direction, frequency, cell + corner, crater_seed(i, c.seed), dug, slope);
     }
     height += shown * dug / frequency;
     gradient += (shown / frequency) * slope;
-    frequency *= 1.41421356;
+    frequency *= crater_step;
   }
 }

@@ -16,33 +16,14 @@ constexpr double noise_slope = 6.5, noise_curvature = 48.0, noise_range = 1.02;
 // Finer layers (cells per radian) doubles and integers of 32 bits place no more.
 constexpr double finest = 1e8;
 
-// The most of a layer.
-double layer_range(const f64::Terrain& terrain) { return terrain.ridged ? 1.0 : 0.5 + 0.5 * noise_range; }
-
-// The least.
-double least_of_layer(const f64::Terrain& terrain) {
-  return terrain.ridged ? 1.0 - noise_range : 0.5 - 0.5 * noise_range;
+Range range_of_layers(const f64::Terrain& terrain) {
+  if (terrain.ridged) return {1.0 - noise_range, 1.0};
+  return {0.5 - 0.5 * noise_range, 0.5 + 0.5 * noise_range};
 }
 
-// The most of a layer within a distance (cells) of a place with the given noise.
-double most_of_layer(const f64::Noise& noise, double distance, const f64::Terrain& terrain) {
-  const double slope = glm::length(noise.gradient) + 0.5 * noise_curvature * distance;
-  const double rise = std::min(noise_slope, slope) * distance;
-  const double most = terrain.ridged ? std::max(std::abs(noise.value) - rise, 0.0) : noise.value + rise;
-  return std::min(f64::layer_value(most, terrain.ridged, terrain.sharpness), layer_range(terrain));
-}
-
-// As much as the craters of one size rise above the ground: where the rims of all eight cells around a place meet, and
-// per distance; both in cells. Depth is at most 0.4 of a radius of at most 0.28; the rim is 0.22 depths high, no slope
-// is above 2.25 depths a radius (tests/laws/bounds_test.cpp).
-constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls, rim_slope = 8.0 * 0.4 * 2.25;
-
-// The sum of layers (0..1) at which the ground has a height; above 1: never.
-double sum_for_height(double value, const f64::Terrain& terrain) {
-  if (terrain.height <= 0.0) return 2.0;
-  if (terrain.power == 0.0) return value > terrain.height ? 2.0 : 0.0;
-  return value > terrain.height ? 2.0 : std::pow(std::max(value / terrain.height, 0.0), 1.0 / terrain.power);
-}
+// As much as the craters of one size rise and dig, in cells, where those of all eight cells around a place meet: each
+// is at most 0.4 of a radius of at most 0.28 deep, its rim 0.22 depths high (tests/laws/bounds_test.cpp).
+constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls;
 
 }  // namespace
 
@@ -54,9 +35,9 @@ Ground::Ground(const Scene& scene, double footprint)
   highest_ = 1.0 + (terrain_.octaves > 0 ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
     highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + f64::ice_thickness);
-  double crater_frequency = terrain_.craters.frequency;
-  for (int i = 0; i < terrain_.craters.sizes; ++i, crater_frequency *= 1.41421356)
-    cells_of_craters_ += terrain_.craters.depth / crater_frequency;
+  double frequency = terrain_.craters.frequency;
+  for (int i = 0; i < terrain_.craters.sizes; ++i, frequency *= f64::crater_step)
+    crater_cells_ += terrain_.craters.depth / frequency;
 }
 
 f64::Height Ground::height_at(const glm::dvec3& direction) const {
@@ -67,67 +48,96 @@ double Ground::left_in(double value, double frequency) const {
   return glm::mix(f64::layer_mean(terrain_.ridged), value, f64::layer_weight(frequency, footprint_));
 }
 
-f64::Noise Ground::noise_at(const glm::dvec3& direction, double frequency, int layer) const {
-  const glm::dvec3 place = direction * frequency + f64::layer_offset(layer, terrain_.seed);
-  return f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(layer, terrain_.seed));
+Range Ground::layer_around(const glm::dvec3& direction, double chord, double frequency, int octave) const {
+  const glm::dvec3 place = direction * frequency + f64::layer_offset(octave, terrain_.seed);
+  const f64::Noise noise = f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(octave, terrain_.seed));
+  const double cells = frequency * chord;
+  const double rise = std::min(noise_slope, glm::length(noise.gradient) + 0.5 * noise_curvature * cells) * cells;
+  const auto value = [&](double n) { return f64::layer_value(n, terrain_.ridged, terrain_.sharpness); };
+  Range layer;
+  if (terrain_.ridged) {
+    layer = {value(std::abs(noise.value) + rise), value(std::max(std::abs(noise.value) - rise, 0.0))};
+  } else {
+    layer = {value(noise.value - rise), value(noise.value + rise)};
+  }
+  const Range whole = range_of_layers(terrain_);
+  return {left_in(std::max(layer.least, whole.least), frequency), left_in(std::min(layer.most, whole.most), frequency)};
 }
 
-double Ground::most_dug_up(const glm::dvec3& direction, double chord) const {
+Range Ground::craters_around(const glm::dvec3& direction, double chord, double frequency, int size) const {
+  const double reach = frequency * chord;
+  const glm::dvec3 corner = direction * frequency - 0.5;
+  const glm::ivec3 first(glm::floor(corner - reach)), last = glm::ivec3(glm::floor(corner + reach)) + 1;
+  const unsigned seed = f64::crater_seed(size, terrain_.craters.seed);
+  Range dug = {0.0, 0.0};
+  glm::ivec3 cell;
+  for (cell.z = first.z; cell.z <= last.z; ++cell.z) {
+    for (cell.y = first.y; cell.y <= last.y; ++cell.y) {
+      for (cell.x = first.x; cell.x <= last.x; ++cell.x) {
+        const f64::Crater crater = f64::crater_of(cell, frequency, seed);
+        if (crater.depth <= 0.0) continue;
+        const double away = glm::distance(direction, crater.centre) * frequency;
+        const double from = std::max(away - reach, 0.0) / crater.radius, to = (away + reach) / crater.radius;
+        // It rises from the middle to the rim, and falls from there on.
+        const double near = f64::crater_shape(from).height, far = f64::crater_shape(to).height;
+        dug.least += crater.depth * std::min(near, far);
+        dug.most += crater.depth * (from < 1.0 && to > 1.0 ? f64::crater_shape(1.0).height : std::max(near, far));
+      }
+    }
+  }
+  const double scale = terrain_.craters.depth * f64::crater_weight(frequency, footprint_) / frequency;
+  return {scale * dug.least, scale * dug.most};
+}
+
+bool Ground::ice_around(const glm::dvec3& direction, double chord) const {
+  return terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0 && std::abs(direction.z) + chord > terrain_.ice.sine - 0.08;
+}
+
+Range Ground::range_around(const glm::dvec3& direction, double chord, double told_from) const {
+  const double ice = ice_around(direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
+  if (terrain_.octaves == 0 || terrain_.height <= 0.0) return {0.0, ice};
+  if (terrain_.power == 0.0) return {terrain_.height, std::max(terrain_.height, ice)};
   const f64::Craters& craters = terrain_.craters;
-  const double most = rims * cells_of_craters_, rise = craters.depth * rim_slope * craters.sizes * chord;
-  if (rise >= most) return most;
-  double here = 0.0;
-  glm::dvec3 slope(0.0);
-  f64::add_craters(direction, craters, footprint_, here, slope);
-  return std::min(most, here + rise);
+  const Range layer_range = range_of_layers(terrain_);
+  Range layers = {0.0, 0.0}, dug = {0.0, 0.0}, heights;
+  double unknown = total_, undug = crater_cells_, amplitude = 1.0;
+  double frequency = terrain_.frequency, crater_frequency = craters.frequency;
+  for (int i = 0;; ++i) {
+    const auto height = [&](double layers_sum, double dug_sum) {
+      return f64::height_power(layers_sum / total_ + dug_sum / terrain_.height, terrain_.height, terrain_.power);
+    };
+    heights.least = height(layers.least + unknown * layer_range.least, dug.least - bowls * undug);
+    heights.most = std::max(height(layers.most + unknown * layer_range.most, dug.most + rims * undug), ice);
+    // What may take any value within the distance is not worth asking for: nor is all that is finer.
+    const bool layer_tells = i < terrain_.octaves && frequency * chord < 0.4 && frequency < finest;
+    const bool craters_tell = i < craters.sizes && craters.depth > 0.0 && crater_frequency * chord < 0.4;
+    if (heights.tells_from(told_from) || !(layer_tells || craters_tell)) return heights;
+    if (layer_tells) {
+      const Range layer = layer_around(direction, chord, frequency, i);
+      layers = {layers.least + amplitude * layer.least, layers.most + amplitude * layer.most};
+      unknown -= amplitude;
+      amplitude *= terrain_.persistence;
+      frequency *= terrain_.lacunarity;
+    }
+    if (craters_tell) {
+      const Range size = craters_around(direction, chord, crater_frequency, i);
+      dug = {dug.least + size.least, dug.most + size.most};
+      undug -= craters.depth / crater_frequency;
+      crater_frequency *= f64::crater_step;
+    }
+  }
 }
 
 bool Ground::reaches(const glm::dvec3& direction, double radius) const {
   if (highest_ < radius) return false;
-  const bool layers_alone = terrain_.ice.sine > 1.0 && terrain_.octaves > 0 && terrain_.height > 0.0;
-  if (!layers_alone) return radius_at(direction) >= radius;
-  // Far from the surface the coarse layers tell on which side of it the radius lies.
-  constexpr int told_apart = 5;
-  const double wanted = sum_for_height(radius - 1.0, terrain_) * total_;
-  const double dug = cells_of_craters_ * total_ / terrain_.height;
-  double known = 0.0, unknown = total_, amplitude = 1.0, frequency = terrain_.frequency;
-  for (int i = 0; i < std::min(terrain_.octaves, told_apart); ++i) {
-    const double noise = noise_at(direction, frequency, i).value;
-    known += amplitude * left_in(f64::layer_value(noise, terrain_.ridged, terrain_.sharpness), frequency);
-    unknown -= amplitude;
-    if (known + unknown * layer_range(terrain_) + rims * dug < wanted) return false;
-    if (known + unknown * least_of_layer(terrain_) - bowls * dug > wanted) return true;
-    amplitude *= terrain_.persistence;
-    frequency *= terrain_.lacunarity;
-    if (frequency > finest) break;
-  }
-  return radius_at(direction) >= radius;
+  const Range range = range_around(direction, 0.0, radius - 1.0);
+  return range.tells_from(radius - 1.0) ? range.least > radius - 1.0 : radius_at(direction) >= radius;
 }
 
 bool Ground::stays_below(const glm::dvec3& direction, double chord, double radius) const {
-  if (highest_ < radius) return true;
-  const bool ice =
-      terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0 && std::abs(direction.z) + chord > terrain_.ice.sine - 0.08;
-  if (ice && 1.0 + terrain_.ice.sea + f64::ice_thickness >= radius) return false;
-  // No ground lies lower than the unit sphere, and a flat one lies at one height.
-  if (radius <= 1.0) return false;
-  if (terrain_.octaves == 0 || terrain_.height <= 0.0) return true;
-  if (terrain_.power == 0.0) return highest_ < radius;
-  const double dug_up = most_dug_up(direction, chord) / std::max(terrain_.height, 1e-12);
-  const double allowed = (sum_for_height(radius - 1.0, terrain_) - dug_up) * total_;
-  const double range = layer_range(terrain_);
-  double known = 0.0, unknown = total_, amplitude = 1.0, frequency = terrain_.frequency;
-  for (int i = 0; i < terrain_.octaves; ++i) {
-    if (known + unknown * range < allowed) return true;
-    // Noise that may take any value within the distance is not worth asking for: nor are all finer layers.
-    if (frequency * chord > 0.4 || frequency > finest) return false;
-    known +=
-        amplitude * left_in(most_of_layer(noise_at(direction, frequency, i), frequency * chord, terrain_), frequency);
-    unknown -= amplitude;
-    amplitude *= terrain_.persistence;
-    frequency *= terrain_.lacunarity;
-  }
-  return known < allowed;
+  // No ground lies lower than the unit sphere.
+  if (highest_ < radius || radius <= 1.0) return highest_ < radius;
+  return range_around(direction, chord, radius - 1.0).most < radius - 1.0;
 }
 
 std::optional<double> Ground::hit(const Ray& ray, double before, const Resolution& resolution) const {

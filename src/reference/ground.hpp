@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "formulas/formulas.hpp"
+#include "reference/range.hpp"
 #include "reference/ray.hpp"
 #include "scene/scene.hpp"
 
@@ -18,8 +19,7 @@ class Ground {
   [[nodiscard]] f64::Height height_at(const glm::dvec3& direction) const;
   [[nodiscard]] double radius_at(const glm::dvec3& direction) const { return 1.0 + height_at(direction).value; }
 
-  // As first_hit asks for them: by as many layers as are needed to tell. A layer of noise rises at most by its steepest
-  // slope times the distance, and never beyond its range: a bound layer by layer, which ends as soon as it suffices.
+  // As first_hit asks for them.
   [[nodiscard]] bool reaches(const glm::dvec3& direction, double radius) const;
   [[nodiscard]] bool stays_below(const glm::dvec3& direction, double chord, double radius) const;
 
@@ -30,16 +30,20 @@ class Ground {
   [[nodiscard]] double highest() const { return highest_; }
 
  private:
-  // A layer's value, or a bound of it, as much of it as is left in.
+  // Bounds of the heights of all directions within chord of a direction, by as many layers and sizes of craters as are
+  // needed to tell them from a height: what is left rises and digs no further than its range.
+  [[nodiscard]] Range range_around(const glm::dvec3& direction, double chord, double told_from) const;
+  // Of one layer of noise, 0..1, and of one size of craters, radii.
+  [[nodiscard]] Range layer_around(const glm::dvec3& direction, double chord, double frequency, int octave) const;
+  [[nodiscard]] Range craters_around(const glm::dvec3& direction, double chord, double frequency, int size) const;
   [[nodiscard]] double left_in(double value, double frequency) const;
-  [[nodiscard]] f64::Noise noise_at(const glm::dvec3& direction, double frequency, int layer) const;
-  [[nodiscard]] double most_dug_up(const glm::dvec3& direction, double chord) const;
+  [[nodiscard]] bool ice_around(const glm::dvec3& direction, double chord) const;
 
   f64::Terrain terrain_;
   double footprint_;
-  double total_;                   // of the amplitudes of the layers
-  double highest_;                 // radius
-  double cells_of_craters_ = 0.0;  // their depth times the width of a cell, summed over all sizes, radii
+  double total_;               // of the amplitudes of the layers
+  double highest_;             // radius
+  double crater_cells_ = 0.0;  // their depth times the width of a cell, summed over all sizes, radii
 };
 
 }  // namespace terrella::reference

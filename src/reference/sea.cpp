@@ -101,7 +101,7 @@ double Sea::most_of_deep_water(const WaterAt& middle, double chord) const {
   return glm::length(middle.place) + 1.02 * slope * away + 0.5 * most_curvature_ * away * away;
 }
 
-Sea::Range Sea::range_around(const glm::dvec3& direction, double chord, double told_from) const {
+Range Sea::range_around(const glm::dvec3& direction, double chord, double told_from) const {
   const f64::Frame frame = f64::frame_at(direction);
   Range range = {-sea_.highest, sea_.highest};
   // From how far water may come to lie there. Waves that are short beside that may stand at any height; of the longer
@@ -133,7 +133,7 @@ Sea::Range Sea::range_around(const glm::dvec3& direction, double chord, double t
     const double rise = any_height + slope * nearer + 0.5 * curvature * nearer * nearer;
     range.least = std::max(range.least, felt.height - rise);
     range.most = std::min(range.most, felt.height + rise + aside * aside);
-    if (range.most < told_from || range.least > told_from || nearer > 0.7 * away) break;
+    if (range.tells_from(told_from) || nearer > 0.7 * away) break;
     away = nearer;
   }
   return range;
@@ -143,7 +143,7 @@ bool Sea::reaches(const glm::dvec3& direction, double radius) const {
   const double height = radius - radius_;
   if (sea_.highest < std::abs(height)) return height <= 0.0;
   const Range range = range_around(direction, 0.0, height);
-  const bool above = range.most < height, below = range.least > height;
+  const bool above = range.most<height, below = range.least> height;
   const bool deep = deep_around(direction, 1.01 * most_shift_);
   if (above && (deep || height > 0.0)) return false;
   if (below && (deep || height < 0.0)) return true;

@@ -5,6 +5,7 @@
 
 #include "planet/waves.hpp"
 #include "reference/ground.hpp"
+#include "reference/range.hpp"
 #include "reference/ray.hpp"
 
 namespace terrella::reference {
@@ -52,9 +53,6 @@ class Sea {
   [[nodiscard]] f64::WaveSum whole_sum(const glm::dvec3& still, const f64::Frame& frame) const;
   // Bounds of the heights over the still sea, of all directions within chord of a direction; no tighter than is needed
   // to tell them from a height. Where the ground holds the waves back, they lie between these and the still sea.
-  struct Range {
-    double least, most;
-  };
   [[nodiscard]] Range range_around(const glm::dvec3& direction, double chord, double told_from) const;
   [[nodiscard]] double most_of_deep_water(const WaterAt& middle, double chord) const;
 

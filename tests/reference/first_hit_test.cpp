@@ -135,6 +135,7 @@ TEST(GroundBound, IsTrueOfAllGrounds) {
     for (int i = 0; i < 300; ++i) {
       const glm::dvec3 middle = places.on_sphere();
       const double chord = std::pow(10.0, places.between(-4.0, -0.5)), radius = places.between(0.9, 1.5);
+      ASSERT_EQ(ground.reaches(middle, radius), ground.radius_at(middle) >= radius) << "ground " << g;
       if (!ground.stays_below(middle, chord, radius)) continue;
       ++below;
       for (int k = 0; k < 20; ++k) {
