@@ -43,7 +43,7 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
       look_(water_look_of(scene)),
       rings_(rings_of(scene)),
       small_lights_(scene, view, pose_, light_),
-      resolution_(0.25 * pose_.pixel_angle),
+      piece_(0.25 * pose_.pixel_angle),
       water_level_(terrella::water_level(scene) / scene.planet.radius),
       top_radius_(top_radius(scene)) {
   if (has_ground(scene)) ground_.emplace(scene, left_out.ground);
@@ -54,103 +54,91 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
 
 Ray Tracer::ray_of(const glm::dvec2& pixel) const { return {pose_.eye, ray_through(pose_, view_, pixel)}; }
 
-std::optional<Tracer::Surface> Tracer::surface_along(const Ray& ray) const {
-  const Resolution resolution = {resolution_, resolution_ * pose_.clearance};
-  std::optional<Surface> found;
-  double before = infinity;
-  if (sea_) {
-    if (const auto t = sea_->hit(ray, before, resolution)) {
-      const glm::dvec3 place = ray.at(*t);
-      found = {*t, place, sea_->over(glm::normalize(place))};
-      before = *t;
-    }
-  }
-  if (ground_) {
-    if (const auto t = ground_->hit(ray, before, resolution)) found = {*t, ray.at(*t), std::nullopt};
-  }
-  return found;
+Resolution Tracer::resolution_from(const glm::dvec3& place) const {
+  return {piece_, piece_ * glm::distance(place, pose_.eye)};
 }
 
-f64::Water Tracer::water_look_at(const Surface& surface) const {
-  const WaterAt& water = *surface.water;
+std::optional<Tracer::Surface> Tracer::surface_along(const Ray& ray) const {
+  const Resolution resolution = {piece_, piece_ * pose_.clearance};
+  const auto water = sea_ ? sea_->hit(ray, infinity, resolution) : std::nullopt;
+  const auto ground = ground_ ? ground_->hit(ray, water.value_or(infinity), resolution) : std::nullopt;
+  if (ground) return Surface{*ground, ground_at(ray.at(*ground))};
+  if (water) return Surface{*water, water_at(ray.at(*water))};
+  return std::nullopt;
+}
+
+Tracer::SeenGround Tracer::ground_at(const glm::dvec3& place) const {
+  SeenGround ground;
+  ground.radius = glm::length(place);
+  ground.up = place / ground.radius;
+  const f64::Height height = ground_->height_at(ground.up);
+  ground.at.gradient = height.gradient - glm::dot(height.gradient, ground.up) * ground.up;
+  ground.at.openness = height.openness;
+  ground.at.height = height.value - water_level_;
+  ground.normal = f64::slope_normal(ground.up, ground.radius, ground.at.gradient);
+  return ground;
+}
+
+Tracer::SeenWater Tracer::water_at(const glm::dvec3& place) const {
+  const WaterAt at = sea_->over(glm::normalize(place));
   if (sea_->has_waves()) {
-    return f64::wavy_water(water.still, water.depth, water.sum, water.frame,
-                           std::max(scene_.waves.amplitude / scene_.planet.radius, 1e-9), sea_->whole_depth(), look_);
+    const double amplitude = std::max(scene_.waves.amplitude / scene_.planet.radius, 1e-9);
+    return {at, f64::wavy_water(at.still, at.depth, at.sum, at.frame, amplitude, sea_->whole_depth(), look_)};
   }
   const double frequency = scene_.water.ripple_frequency;
   f64::Ripples ripples = f64::no_ripples(frequency, turned(scene_.water.ripple_speed, view_.seconds));
   for (int i = 0; i < ripple_layers; ++i) {
-    ripples = f64::add_ripples(ripples, water.still, scene_.water.ripples, left_out_.ripples,
+    ripples = f64::add_ripples(ripples, at.still, scene_.water.ripples, left_out_.ripples,
                                f64::ripple_seed(scene_.planet.seed));
   }
   const double shown = f64::layer_weight(frequency, left_out_.ripples);
-  return f64::calm_water(water.still, water.depth, ripples, f64::torn_crust(ripples, shown, look_), look_);
+  return {at, f64::calm_water(at.still, at.depth, ripples, f64::torn_crust(ripples, shown, look_), look_)};
 }
 
-Sample Tracer::measured(const std::optional<Surface>& surface) const {
+Sample Tracer::measured(const Ray& ray, const std::optional<Surface>& surface) const {
   Sample sample;
   sample.distance = sample.height = infinity;
   if (!surface) return sample;
-  const double radius = glm::length(surface->place);
   sample.distance = surface->distance;
-  sample.height = radius - 1.0;
-  if (surface->water) {
-    sample.normal = water_look_at(*surface).normal;
-  } else {
-    const glm::dvec3 up = surface->place / radius;
-    sample.normal = f64::surface_normal(up, radius, ground_->height_at(up).gradient);
-  }
+  sample.height = glm::length(ray.at(surface->distance)) - 1.0;
+  const SeenGround* ground = std::get_if<SeenGround>(&surface->what);
+  sample.normal = ground != nullptr ? ground->normal : std::get<SeenWater>(surface->what).look.normal;
   return sample;
 }
 
 double Tracer::shade_at(const glm::dvec3& place) const { return clouds_ ? clouds_->shade(place, light_.sun) : 1.0; }
 
-f64::GroundAt Tracer::ground_at(const glm::dvec3& up) const {
-  const f64::Height height = ground_->height_at(up);
-  f64::GroundAt ground;
-  ground.gradient = height.gradient - glm::dot(height.gradient, up) * up;
-  ground.openness = height.openness;
-  ground.height = height.value - water_level_;
-  return ground;
-}
-
-glm::dvec3 Tracer::light_of_ground(const glm::dvec3& place) const {
-  const double radius = glm::length(place);
-  const glm::dvec3 up = place / radius;
-  const f64::GroundAt ground = ground_at(up);
-  const glm::dvec3 normal = f64::slope_normal(up, radius, ground.gradient);
-  return f64::ground_light(f64::ground_albedo(up, ground, normal, bands_), normal,
-                           f64::light_at(up, radius - 1.0, light_), shade_at(place), light_);
+glm::dvec3 Tracer::light_of_ground(const SeenGround& ground) const {
+  return f64::ground_light(f64::ground_albedo(ground.up, ground.at, ground.normal, bands_), ground.normal,
+                           f64::light_at(ground.up, ground.radius - 1.0, light_), shade_at(ground.radius * ground.up),
+                           light_);
 }
 
 glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const {
-  const Resolution resolution = {resolution_, resolution_ * glm::distance(refracted.origin, pose_.eye)};
-  const auto way = ground_ ? ground_->hit(refracted, infinity, resolution) : std::nullopt;
+  const auto way = ground_ ? ground_->hit(refracted, infinity, resolution_from(refracted.origin)) : std::nullopt;
   if (!way) return f64::light_through(glm::dvec3(0.0), at.up, bottomless, bottomless, at, shade, look_, light_);
-  const glm::dvec3 up = glm::normalize(refracted.at(*way));
-  f64::GroundAt bottom = ground_at(up);
-  const glm::dvec3 normal = f64::slope_normal(up, 1.0 + water_level_ + bottom.height, bottom.gradient);
-  bottom.height = std::min(bottom.height, 0.0);
-  return f64::light_through(f64::ground_albedo(up, bottom, normal, bands_), normal, -bottom.height, *way, at, shade,
-                            look_, light_);
+  SeenGround bottom = ground_at(refracted.at(*way));
+  bottom.at.height = std::min(bottom.at.height, 0.0);
+  return f64::light_through(f64::ground_albedo(bottom.up, bottom.at, bottom.normal, bands_), bottom.normal,
+                            -bottom.at.height, *way, at, shade, look_, light_);
 }
 
 glm::dvec3 Tracer::light_mirrored(const Ray& mirrored, const f64::LightAt& at) const {
-  const Resolution resolution = {resolution_, resolution_ * glm::distance(mirrored.origin, pose_.eye)};
-  if (ground_) {
-    if (const auto t = ground_->hit(mirrored, infinity, resolution)) return light_of_ground(mirrored.at(*t));
+  if (const auto t = ground_ ? ground_->hit(mirrored, infinity, resolution_from(mirrored.origin)) : std::nullopt) {
+    const SeenGround ground = ground_at(mirrored.at(*t));
+    // Before a place under water there are other waves, which mirror the sky in turn.
+    if (ground.at.height > 0.0) return light_of_ground(ground);
   }
   return f64::sky_along(at, mirrored.direction, light_);
 }
 
-glm::dvec3 Tracer::light_of_water(const Ray& ray, const Surface& surface) const {
-  const f64::Water water = water_look_at(surface);
-  const f64::LightAt at = f64::light_at(surface.water->still, 0.0, light_);
-  const double shade = shade_at(surface.water->still * sea_->still_radius());
-  const glm::dvec3 refracted = f64::refracted_ray(ray.direction, water.normal, look_);
-  const glm::dvec3 below = light_from_below({surface.place, refracted}, at, shade);
-  const glm::dvec3 mirrored = light_mirrored({surface.place, glm::reflect(ray.direction, water.normal)}, at);
-  return f64::water_light(water, at, ray.direction, below, mirrored, shade, look_, light_);
+glm::dvec3 Tracer::light_of_water(const Ray& ray, const SeenWater& water) const {
+  const f64::LightAt at = f64::light_at(water.at.still, 0.0, light_);
+  const double shade = shade_at(water.at.still * sea_->still_radius());
+  const glm::dvec3 refracted = f64::refracted_ray(ray.direction, water.look.normal, look_);
+  const glm::dvec3 below = light_from_below({water.at.place, refracted}, at, shade);
+  const glm::dvec3 mirrored = light_mirrored({water.at.place, glm::reflect(ray.direction, water.look.normal)}, at);
+  return f64::water_light(water.look, at, ray.direction, below, mirrored, shade, look_, light_);
 }
 
 glm::dvec3 Tracer::light_of_sky(const Ray& ray) const {
@@ -203,18 +191,26 @@ glm::dvec3 Tracer::before_veils(const Ray& ray, double distance, glm::dvec3 ligh
   return light;
 }
 
-Sample Tracer::geometry(const glm::dvec2& pixel) const { return measured(surface_along(ray_of(pixel))); }
+Sample Tracer::geometry(const glm::dvec2& pixel) const {
+  const Ray ray = ray_of(pixel);
+  return measured(ray, surface_along(ray));
+}
 
 Sample Tracer::sample(const glm::dvec2& pixel) const {
   const Ray ray = ray_of(pixel);
   const std::optional<Surface> surface = surface_along(ray);
-  Sample sample = measured(surface);
+  Sample sample = measured(ray, surface);
   glm::dvec3 light;
   if (surface) {
-    const glm::dvec3 up = surface->water ? surface->water->still : glm::normalize(surface->place);
-    const double height = surface->water ? 0.0 : sample.height;
-    light = surface->water ? light_of_water(ray, *surface) : light_of_ground(surface->place);
-    light = f64::through_air(light, f64::light_at(up, height, light_), surface->distance * ray.direction, light_);
+    const glm::dvec3 way = surface->distance * ray.direction;
+    if (const SeenGround* ground = std::get_if<SeenGround>(&surface->what)) {
+      const f64::LightAt at = f64::light_at(ground->up, sample.height, light_);
+      light = f64::through_air(light_of_ground(*ground), at, way, light_);
+    } else {
+      const SeenWater& water = std::get<SeenWater>(surface->what);
+      const f64::LightAt at = f64::light_at(water.at.still, 0.0, light_);
+      light = f64::through_air(light_of_water(ray, water), at, way, light_);
+    }
   } else {
     light = light_of_sky(ray);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "planet/pose.hpp"
 #include "reference/cloud_layer.hpp"
@@ -36,22 +37,32 @@ class Tracer {
   [[nodiscard]] Sample geometry(const glm::dvec2& pixel) const;
 
  private:
+  struct SeenGround {
+    double radius;
+    glm::dvec3 up;
+    glm::dvec3 normal;
+    f64::GroundAt at;
+  };
+  struct SeenWater {
+    WaterAt at;
+    f64::Water look;
+  };
   struct Surface {
     double distance;
-    glm::dvec3 place;
-    std::optional<WaterAt> water;  // nothing: ground
+    std::variant<SeenGround, SeenWater> what;
   };
 
   [[nodiscard]] Ray ray_of(const glm::dvec2& pixel) const;
   [[nodiscard]] std::optional<Surface> surface_along(const Ray& ray) const;
-  [[nodiscard]] f64::Water water_look_at(const Surface& surface) const;
-  [[nodiscard]] Sample measured(const std::optional<Surface>& surface) const;
-  [[nodiscard]] double shade_at(const glm::dvec3& place) const;
-  // What the ground is at a direction (unit).
-  [[nodiscard]] f64::GroundAt ground_at(const glm::dvec3& up) const;
+  // The shortest pieces that a ray beside the eye's is looked at in.
+  [[nodiscard]] Resolution resolution_from(const glm::dvec3& place) const;
   // place: on the ground.
-  [[nodiscard]] glm::dvec3 light_of_ground(const glm::dvec3& place) const;
-  [[nodiscard]] glm::dvec3 light_of_water(const Ray& ray, const Surface& surface) const;
+  [[nodiscard]] SeenGround ground_at(const glm::dvec3& place) const;
+  [[nodiscard]] SeenWater water_at(const glm::dvec3& place) const;
+  [[nodiscard]] Sample measured(const Ray& ray, const std::optional<Surface>& surface) const;
+  [[nodiscard]] double shade_at(const glm::dvec3& place) const;
+  [[nodiscard]] glm::dvec3 light_of_ground(const SeenGround& ground) const;
+  [[nodiscard]] glm::dvec3 light_of_water(const Ray& ray, const SeenWater& water) const;
   [[nodiscard]] glm::dvec3 light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const;
   [[nodiscard]] glm::dvec3 light_mirrored(const Ray& mirrored, const f64::LightAt& at) const;
   [[nodiscard]] glm::dvec3 light_of_sky(const Ray& ray) const;
@@ -70,7 +81,7 @@ class Tracer {
   std::optional<Sea> sea_;
   std::optional<CloudLayer> clouds_;
   SmallLights small_lights_;
-  double resolution_;  // of first_hit
+  double piece_;  // of a ray that is not looked into, per distance: a part of a pixel
   double water_level_;
   double top_radius_;  // on which the rings' shadow is drawn
   double free_sun_;    // part of the sun's disc that the planet leaves free
