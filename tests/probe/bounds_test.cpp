@@ -58,6 +58,30 @@ TEST_P(OnGpu, AnswersOfABatchStayInOrder) {
   }
 }
 
+// A software rasterizer gives up on loops that turn too often, and on those of the vertices beside it. Whoever asked
+// for little is answered all the same, and who asked for too much is not answered wrongly.
+TEST_P(OnGpu, NoAnswerDependsOnWhatIsAskedBesideIt) {
+  std::unique_ptr<EglContext> context;
+  Probe probe([&] {
+    auto made = EglContext::make(GetParam());
+    if (made) context = std::move(*made);
+    return static_cast<bool>(made);
+  });
+  const auto asked = [](const char* scale_height) {
+    return std::string(
+               R"({"fn": "single_scatter", "precision": "gpu", "args": {"alt": 2, "mu": 0, "mu_s": 0.5, "nu": 0.3,
+        "dist": 5e5, "mie_scattering": 1e-6, "atm": {"rayleigh_H": )") +
+           scale_height + "}}}";
+  };
+  const std::string small = asked("8000"), large = asked("1e-3");
+  const std::vector<std::string> beside = probe.answer(std::vector<std::string>{large, small, large, small});
+  const std::string alone = probe.answer(std::vector<std::string>{small}).at(0);
+  EXPECT_NE(alone.find("value"), std::string::npos) << alone;
+  EXPECT_EQ(beside[1], alone);
+  EXPECT_EQ(beside[3], alone);
+  EXPECT_EQ(beside[0], probe.answer(std::vector<std::string>{large}).at(0));
+}
+
 INSTANTIATE_TEST_SUITE_P(Contexts, OnGpu, testing::Values(Api::core, Api::es),
                          [](const auto& context) { return context.param == Api::core ? "Core" : "Es"; });
 
