@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "probe/arguments.hpp"
+#include "probe/hostile.hpp"
 #include "probe/probe.hpp"
 
 namespace terrella::probe {
@@ -122,6 +123,21 @@ TEST(Protocol, NothingThatIsSentStopsTheStream) {
           EXPECT_TRUE(answer.contains("value") != answer.contains("error")) << tried.dump();
         }
       }
+    }
+  }
+}
+
+// One answer a line, and JSON, whatever was asked.
+TEST(Protocol, HostileLinesAreAnswered) {
+  for (const char* precision : {"f64", "f32"}) {
+    const std::vector<std::string> lines = test::extreme_requests(100, precision, 7U);
+    const std::vector<Json> answers = answers_to(lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      EXPECT_EQ(answers[i]["id"], i);
+      EXPECT_TRUE(answers[i].contains("value") != answers[i].contains("error")) << lines[i];
+    }
+    for (const Json& answer : answers_to(test::garbled(lines, 8U))) {
+      EXPECT_TRUE(answer.contains("value") != answer.contains("error")) << answer;
     }
   }
 }
