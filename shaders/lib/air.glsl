@@ -1,7 +1,9 @@
 // Air as a thin shell of light (Sandahl 2022, section 2.4 and equation 19), made whole: it is brightest at the planet's
 // limb and fades to nothing at its outer edge, holds from outside and from within, and thins with the path before a
 // surface. Lengths in planet radii, the planet's ground being the unit sphere.
+#include "lib/horizon.glsl"
 #include "lib/optics.glsl"
+#include "lib/rays.glsl"
 
 struct Air {
   float top;        // radius of the outer edge, > 1
@@ -28,13 +30,11 @@ float fresnel_alpha(float cosine, float a) {
   return x > 0.0 ? pow(x, a) * (1.0 + a * lost / x) : 0.0;
 }
 
-// Where a ray crosses a sphere around the centre. eye: position; ray: unit. No root is lost to cancellation: the
-// distance of the ray from the centre is taken from its own perpendicular.
+// Where a ray crosses a sphere around the centre. eye: position; ray: unit. Cheaper than ray_sphere: of the two ends only
+// the one that lies near the eye loses digits, as much as the eye's own place has lost.
 AirPath air_path(vec3 eye, vec3 ray, float top) {
   float along = dot(eye, ray);
-  vec3 perpendicular_foot = eye - along * ray;
-  float half2 = top * top - dot(perpendicular_foot, perpendicular_foot);
-  float chord = half2 > 0.0 ? sqrt(half2) : 0.0;
+  float chord = sqrt(max(half_chord_square(eye, ray, along, top), 0.0));
   AirPath path;
   path.enter = max(-along - chord, 0.0);
   path.leave = max(-along + chord, path.enter);
@@ -45,7 +45,7 @@ AirPath air_path(vec3 eye, vec3 ray, float top) {
 // Opacity along the whole of a ray's way through the shell, 0..1. cosine: of AirPath. The limb is where the ray touches
 // the ground: (1 - V.N)^a inside of it, fading to 0 at the outer edge.
 float air_opacity(float cosine, Air air) {
-  float limb = sqrt((air.top - 1.0) * (air.top + 1.0)) / air.top;
+  float limb = horizon_distance(1.0, air.top - 1.0) / air.top;
   float inside = fresnel_alpha((cosine - limb) / max(1.0 - limb, 1.0e-6), air.exponent);
   float rim = clamp(cosine / max(limb, 1.0e-6), 0.0, 1.0);
   return air.density * inside * rim * rim * rim;

@@ -50,16 +50,10 @@ void add_anchored_wave(inout WaveSum sum, vec3 v, Frame frame, vec3 anchor, vec3
     fade = x * x * (3.0 - 2.0 * x);
     fade_slope = 6.0 * x * (1.0 - x) / (fade_to - fade_from) * (cosine < 0.0 ? -sine : sine);
   }
-  float pinch = fade * wave.pinch;
+  float pinch = across > 0.0 ? fade * wave.pinch : 0.0;
   float sway = pinch * turn.x;
-  sum.height += wave.amplitude * turn.y;
-  sum.shift += sway * d;
-  sum.slope += (wave.amplitude * wave.wavenumber * turn.x - sway) * d;
+  float rise = wave.amplitude * wave.wavenumber * turn.x;
   float stretch_along = fade_slope * wave.pinch * turn.x - pinch * wave.wavenumber * turn.y;
   float stretch_across = sway * along * per_across;
-  vec2 to_side = vec2(-d.y, d.x);
-  sum.stretch_ee += stretch_along * d.x * d.x + stretch_across * to_side.x * to_side.x;
-  sum.stretch_en += stretch_along * d.x * d.y + stretch_across * to_side.x * to_side.y;
-  sum.stretch_ne += stretch_along * d.x * d.y + stretch_across * to_side.x * to_side.y;
-  sum.stretch_nn += stretch_along * d.y * d.y + stretch_across * to_side.y * to_side.y;
+  add_swell(sum, d, wave.amplitude * turn.y, rise, sway, stretch_along, stretch_across);
 }

@@ -59,7 +59,8 @@ float height_power_slope_at(float value, float height, float p) {
   return height_power_slope(pow(clamp(value / max(height, 1.0e-9), 1.0e-6, 0.999), 1.0 / max(p, 0.05)), height, p);
 }
 
-// One layer from a noise value: (1 + n)/2 as in (1), or the ridge 1 - |n| as in (4).
+// One layer from a noise value: (1 + n)/2 as in (1), or the ridge 1 - |n| as in (4), its edge rounded as in (5): to nothing
+// that single precision could tell from |n| where the sharpness is 1e30.
 float layer_value(float n, bool ridged, float sharpness) {
   return ridged ? 1.0 - smooth_abs(n, sharpness) : 0.5 + 0.5 * n;
 }
@@ -82,10 +83,8 @@ float openness_of(float relief) {
 
 // The ground at a direction (unit), without what samples a footprint (rad) apart can't show.
 Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
-  float amplitude = 1.0;
+  OctaveSum sum = no_octaves();
   float frequency = t.frequency;
-  float total = 0.0;
-  float sum = 0.0;
   float relief = 0.0;
   vec3 gradient = vec3(0.0);
   for (int i = 0; i < t.octaves; ++i) {
@@ -95,26 +94,24 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
     if (shown > 0.0) {
       Noise n = simplex_noise(ivec3(0), direction * frequency + layer_offset(i, t.seed), layer_seed(i, t.seed));
       value = mix(mean, layer_value(n.value, t.ridged, t.sharpness), shown);
-      gradient += amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
+      gradient += sum.amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
     }
-    sum += amplitude * value;
-    if (i > 0) relief += amplitude * frequency * (value - mean);
-    total += amplitude;
-    amplitude *= t.persistence;
+    if (i > 0) relief += sum.amplitude * frequency * (value - mean);
+    add_octave(sum, value, t.persistence);
     frequency *= t.lacunarity;
   }
-  float h = total > 0.0 ? sum / total : 0.0;
+  float h = octave_mean(sum);
   if (t.craters.depth > 0.0 && t.height > 0.0) {
     float dug = 0.0;
     vec3 slope = vec3(0.0);
     add_craters(direction, t.craters, footprint, dug, slope);
     h += dug / t.height;
-    gradient += (total / t.height) * slope;
-    relief += total / t.height * dug * t.craters.frequency;
+    gradient += (sum.total / t.height) * slope;
+    relief += sum.total / t.height * dug * t.craters.frequency;
   }
   Height ground;
   ground.value = t.octaves > 0 ? height_power(h, t.height, t.power) : 0.0;
-  float steepened = total > 0.0 ? height_power_slope(h, t.height, t.power) / total : 0.0;
+  float steepened = sum.total > 0.0 ? height_power_slope(h, t.height, t.power) / sum.total : 0.0;
   ground.gradient = gradient * steepened;
   ground.openness = openness_of(relief * steepened);
   if (ice_near(direction, t.ice)) {

@@ -5,7 +5,7 @@
 float mean_transmittance(float x) {
   float y = abs(x);
 #ifdef TERRELLA_DOUBLE
-  float near = y == 0.0 ? 1.0 : exp(-0.5 * y) * sinh(0.5 * y) / (0.5 * y);
+  float near = 0.5 * y == 0.0 ? 1.0 : exp(-0.5 * y) * sinh(0.5 * y) / (0.5 * y);
 #else
   float tail = -0.041659255296 + y * (0.0083011703016 + y * (-0.0013248178205 + y * 0.0001374241387));
   float near = 1.0 + y * (-0.49999999126 + y * (0.1666660366 + y * tail));
@@ -19,7 +19,7 @@ float absorbed_share(float x) {
   return x < 1.0 ? x * mean_transmittance(x) : 1.0 - exp(-x);
 }
 
-// A product and what its rounding lost (Dekker 1971).
+// A product and what its rounding lost (Dekker 1971). Both factors below 2^114, so that their upper halves are found.
 vec2 exact_product(float a, float b) {
   float product = a * b;
 #ifdef TERRELLA_DOUBLE
@@ -36,8 +36,13 @@ vec2 exact_product(float a, float b) {
 // Part of the light that is left after a way through an absorber. extinction: per length, both >= 0. What the rounding of
 // a depth loses is as much of what is left.
 float left_after(float extinction, float way) {
-  vec2 depth = exact_product(extinction, way);
-  return exp(-depth.x) * (1.0 - depth.y);
+  // The larger by the smaller: where that is huge, units are changed so that it is not.
+  float large = max(extinction, way);
+  float small = min(extinction, way);
+  float unit = large > 1.0e30 ? 5.421010862427522e-20 : 1.0;  // 2^-64
+  vec2 depth = exact_product(large * unit, small / unit);
+  // Nothing is left after more than this, and nobody knows what rounding has lost of an infinity.
+  return depth.x < 800.0 ? exp(-depth.x) * (1.0 - depth.y) : 0.0;
 }
 
 struct Marched {
@@ -57,7 +62,9 @@ Marched not_marched() {
 void march_cloud(inout Marched m, float density, float length_of_step, float extinction, float scattering, float light) {
   float matter = max(density, 0.0) * length_of_step;
   float depth = extinction * matter;
-  m.light += m.transmittance * scattering * matter * mean_transmittance(depth) * light;
+  // The matter whose light leaves the step. Divided by what dims it where there is much: a depth may be an infinity.
+  float seen = depth < 1.0 ? matter * mean_transmittance(depth) : absorbed_share(depth) / extinction;
+  m.light += m.transmittance * scattering * seen * light;
   m.transmittance *= exp(-depth);
 }
 

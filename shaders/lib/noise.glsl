@@ -159,6 +159,33 @@ uint layer_seed(int layer, uint seed) {
   return seed * 32u + uint(layer);
 }
 
+// A sum of octaves (Sandahl 2022, equations 1 and 2), one at a time.
+struct OctaveSum {
+  float sum;
+  float amplitude;  // of the next octave
+  float total;      // of the amplitudes so far
+};
+
+OctaveSum no_octaves() {
+  OctaveSum s;
+  s.sum = 0.0;
+  s.amplitude = 1.0;
+  s.total = 0.0;
+  return s;
+}
+
+// persistence: amplitude of an octave by that of the one before.
+void add_octave(inout OctaveSum s, float value, float persistence) {
+  s.sum += s.amplitude * value;
+  s.total += s.amplitude;
+  s.amplitude *= persistence;
+}
+
+// The mean (1); 0 without octaves.
+float octave_mean(OctaveSum s) {
+  return s.total == 0.0 ? 0.0 : s.sum / s.total;
+}
+
 // The sum of the amplitudes of count layers, each persistence times as strong as the one before.
 float amplitude_sum(float persistence, int count) {
   float n = float(count);

@@ -1,38 +1,5 @@
-// Sums of octaves (Sandahl 2022, equations 1 to 5 and 18), one at a time, and how their gradients bend.
-#include "lib/heights.glsl"
+// Octaves of flow noise whose gradient is exact (Sandahl 2022, equation 18), one at a time, and how their gradients bend.
 #include "lib/noise.glsl"
-
-struct OctaveSum {
-  float sum;
-  float amplitude;  // of the next octave
-  float total;      // of the amplitudes so far
-};
-
-OctaveSum no_octaves() {
-  OctaveSum s;
-  s.sum = 0.0;
-  s.amplitude = 1.0;
-  s.total = 0.0;
-  return s;
-}
-
-// persistence: amplitude of an octave by that of the one before.
-void add_octave(inout OctaveSum s, float value, float persistence) {
-  s.sum += s.amplitude * value;
-  s.total += s.amplitude;
-  s.amplitude *= persistence;
-}
-
-// The mean (1); 0 without octaves.
-float octave_mean(OctaveSum s) {
-  return s.total == 0.0 ? 0.0 : s.sum / s.total;
-}
-
-// (1 + x) / 2 as in (1), or a ridge: 1 - |x| (4), with a rounded edge (5) where sharpness is at least 0.
-float octave_value(float x, bool ridged, float sharpness) {
-  float away = sharpness < 0.0 ? abs(x) : smooth_abs(x, sharpness);
-  return ridged ? 1.0 - away : 0.5 + 0.5 * x;
-}
 
 // The second derivatives of what noise_corner adds, before its scale.
 mat3 noise_corner_bend(vec3 offset, vec3 direction) {

@@ -1,4 +1,4 @@
-// Where rays meet spheres. Neither form squares what it then has to subtract.
+// Where rays meet spheres. Neither form is the difference of b^2 and c, which from afar are nearly the same.
 
 // The two ways t0 <= t1 along a ray; met is false, and both are 0, where there are none.
 struct Roots {
@@ -19,14 +19,20 @@ Roots roots_of(float b, float quarter, float c) {
   return roots;
 }
 
+// Half the chord that a sphere around the origin cuts out of a ray, squared; below 0 where the ray passes by. ray: unit;
+// along: dot(o, ray). From the ray's place nearest to the origin, so that from far away no more is lost than of that.
+float half_chord_square(vec3 o, vec3 ray, float along, float radius) {
+  vec3 nearest = o - along * ray;
+  return radius * radius - dot(nearest, nearest);
+}
+
 // |o + t d| = radius around the origin. d need not be a unit vector but is not 0; t counts its lengths.
 Roots ray_sphere(vec3 o, vec3 d, float radius) {
   float size = length(d);
   vec3 ray = d / size;
   float along = dot(o, ray);
-  float nearest = length(o - along * ray);
   float away = length(o);
-  Roots roots = roots_of(along, (radius - nearest) * (radius + nearest), (away - radius) * (away + radius));
+  Roots roots = roots_of(along, half_chord_square(o, ray, along, radius), (away - radius) * (away + radius));
   roots.t0 = roots.t0 / size;
   roots.t1 = roots.t1 / size;
   return roots;

@@ -25,19 +25,15 @@ float line_noise(float x, int layer, uint seed) {
 // lies beyond. footprint: distance of neighbouring samples in the same measure, > 0; ringlets that they can't show are
 // left out.
 float ring_matter(float across, float footprint, uint seed) {
-  float amplitude = 1.0;
+  OctaveSum sum = no_octaves();
   float frequency = 5.0;
-  float total = 0.0;
-  float sum = 0.0;
   for (int i = 0; i < 6; ++i) {
-    sum += amplitude * mix(0.5, line_noise(across * frequency, i, seed), layer_weight(frequency, footprint));
-    total += amplitude;
-    amplitude *= 0.72;
+    add_octave(sum, mix(0.5, line_noise(across * frequency, i, seed), layer_weight(frequency, footprint)), 0.72);
     frequency *= 2.3;
   }
   float rim = max(0.03, footprint);
   float edges = smoothstep(0.0, rim, across) * (1.0 - smoothstep(1.0 - rim, 1.0, across));
-  return edges * smoothstep(0.30, 0.72, sum / total);
+  return edges * smoothstep(0.30, 0.72, octave_mean(sum));
 }
 
 // Part of the light that is held back where it passes obliquely. matter: 0..1; density: part held back of light that

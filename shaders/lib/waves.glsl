@@ -53,6 +53,19 @@ WaveSum no_waves() {
   return s;
 }
 
+// Adds what one wave does at a place. d: its direction, unit; height: of the water over the still sea, which gains rise
+// along d; sway: how far the water has moved along d, which gains along that way and across to its side.
+void add_swell(inout WaveSum sum, vec2 d, float height, float rise, float sway, float along, float across) {
+  sum.height += height;
+  sum.shift += sway * d;
+  sum.slope += (rise - sway) * d;
+  vec2 skew = (along - across) * d.x * d;
+  sum.stretch_ee += across + skew.x;
+  sum.stretch_en += skew.y;
+  sum.stretch_ne += skew.y;
+  sum.stretch_nn += along - skew.x;
+}
+
 // Adds one wave at v. Near its origin and the antipode, where its direction turns, it fades within a wavelength. weight
 // fades the wave as a whole.
 void add_wave(inout WaveSum sum, vec3 v, Frame frame, Wave wave, float weight) {
@@ -69,16 +82,10 @@ void add_wave(inout WaveSum sum, vec3 v, Frame frame, Wave wave, float weight) {
   vec2 turn = cos_sin(wave.wavenumber * arc(sine, cosine) + wave.phase);
   float pinch = fade * wave.pinch;
   float sway = pinch * turn.x;
-  sum.height += fade * wave.amplitude * turn.y;
-  sum.shift += sway * d;
-  sum.slope += (wave.amplitude * (fade * wave.wavenumber * turn.x + fade_slope * turn.y) - sway) * d;
+  float rise = wave.amplitude * (fade * wave.wavenumber * turn.x + fade_slope * turn.y);
   float along = fade_slope * wave.pinch * turn.x - pinch * wave.wavenumber * turn.y;
   float across = sway * cosine * per_sine;
-  vec2 skew = (along - across) * d.x * d;
-  sum.stretch_ee += across + skew.x;
-  sum.stretch_en += skew.y;
-  sum.stretch_ne += skew.y;
-  sum.stretch_nn += along - skew.x;
+  add_swell(sum, d, fade * wave.amplitude * turn.y, rise, sway, along, across);
 }
 
 // Multiplies the whole sum by a factor that itself changes along east and north (shallow water holds waves back).

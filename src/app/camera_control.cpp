@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "formulas/formulas.hpp"
+
 namespace terrella {
 namespace {
 
@@ -60,11 +62,8 @@ double natural_pitch(double clearance) {
 // Where a ray meets the sphere of the ground below the camera, as a unit vector; the place below the camera if nowhere.
 glm::dvec3 ground_point(const Pose& pose, const glm::dvec3& ray) {
   const double radius = glm::length(pose.eye) - pose.clearance;
-  const double along = -glm::dot(pose.eye, ray);
-  const glm::dvec3 foot = pose.eye + along * ray;
-  const double half2 = radius * radius - glm::dot(foot, foot);
-  if (along <= 0.0 || half2 <= 0.0) return glm::normalize(pose.eye);
-  return glm::normalize(pose.eye + (along - std::sqrt(half2)) * ray);
+  const f64::Roots roots = f64::ray_sphere(pose.eye, ray, radius);
+  return glm::normalize(pose.eye + std::max(roots.t0, 0.0) * ray);
 }
 
 }  // namespace
@@ -100,7 +99,7 @@ void CameraControl::zoom_now(Scene& scene, const View& view, double factor, glm:
   const double share = 1.0 - clearance / pose.clearance;
   const glm::dvec3 place = glm::normalize(pose.eye);
   const glm::dvec3 target = ground_point(pose, ray_through(pose, view, toward));
-  const double away = std::min(std::atan2(glm::length(glm::cross(place, target)), glm::dot(place, target)), 1.0);
+  const double away = std::min(f64::angle_between(place, target), 1.0);
   if (away > 1e-9) {
     const double heading = glm::radians(scene.camera.heading), lon = glm::radians(scene.camera.longitude);
     const glm::dvec3 east(-std::sin(lon), std::cos(lon), 0.0);

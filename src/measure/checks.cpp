@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.hpp"
+#include "formulas/formulas.hpp"
 
 namespace terrella {
 namespace {
@@ -36,12 +37,9 @@ Holes find_holes(Pixels distance, const Pose& pose, const View& view, double sol
   for (int y = view.height - 1; y >= 0; --y) {
     for (int x = 0; x < view.width; ++x, i += 4) {
       const glm::dvec3 ray = ray_through(pose, view, {x + 0.5, y + 0.5});
-      const double along = -glm::dot(pose.eye, ray);
-      const glm::dvec3 foot = pose.eye + along * ray;
-      const double half2 = radius * radius - glm::dot(foot, foot);
-      if (along <= 0.0 || half2 <= 0.0) continue;
+      const double begins = f64::ray_sphere(pose.eye, ray, radius).t0;
+      if (begins <= 0.0) continue;
       ++holes.looked_at;
-      const double begins = along - std::sqrt(half2);
       if (!(double{distance[i]} <= begins * (1.0 + slack))) ++holes.open;
     }
   }

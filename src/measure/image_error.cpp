@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/check.hpp"
+#include "formulas/formulas.hpp"
 
 namespace terrella {
 namespace {
@@ -59,7 +60,7 @@ GeometryError geometry_error(const Image& distance, const Image& normal, const I
     if (std::isinf(seen) || std::isinf(is)) continue;
     distances.push_back(std::abs(seen - is) / is);
     const glm::dvec3 a = vector_at(normal, i), b = vector_at(true_normal, i);
-    angles.push_back(glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))));
+    angles.push_back(glm::degrees(f64::angle_between(a, b)));
   }
   GeometryError error;
   error.silhouette = static_cast<double>(one_alone) / static_cast<double>(count);

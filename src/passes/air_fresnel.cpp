@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "formulas/formulas.hpp"
 #include "planet/spheres.hpp"
 
 namespace terrella {
@@ -14,7 +15,7 @@ constexpr int corners = 96;
 
 // Tangent of the angle between a sphere's centre and its limb, seen from a distance beyond its radius.
 double limb_tangent(double radius, double distance) {
-  return radius / std::sqrt((distance - radius) * (distance + radius));
+  return radius / f64::horizon_distance(radius, distance - radius);
 }
 
 }  // namespace

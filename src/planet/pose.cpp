@@ -21,8 +21,8 @@ namespace {
 // Depths count along the middle of the picture: what lies at its edge has less of it than distance.
 void set_depth_range(Pose& pose, const View& view, double top, double rings) {
   const double distance = glm::length(pose.eye), outermost = std::max(top, rings);
-  const double to_horizon = std::sqrt(std::max(0.0, (distance - 1.0) * (distance + 1.0)));
-  pose.far = 1.001 * (to_horizon + std::sqrt(std::max(0.0, (top - 1.0) * (top + 1.0)))) + 2.0 * pose.clearance;
+  const auto to_horizon = [](double radius) { return f64::horizon_distance(1.0, std::max(radius - 1.0, 0.0)); };
+  pose.far = 1.001 * (to_horizon(distance) + to_horizon(top)) + 2.0 * pose.clearance;
   if (rings > 0.0) pose.far = std::max(pose.far, 1.001 * (distance + rings));
   const double at_edge = std::cos(picture_half_angle(pose, view)), ahead = -glm::dot(pose.eye, pose.forward);
   // A part of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.

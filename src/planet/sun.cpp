@@ -14,10 +14,6 @@ namespace {
 
 glm::dvec3 sun_of(const Scene& scene) { return direction_of(scene.sun.latitude, scene.sun.longitude); }
 
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 }  // namespace
 
 double seen_sun_radius(const Scene& scene) { return std::max(std::tan(0.5 * glm::radians(scene.sun.size)), 0.004); }
@@ -26,7 +22,7 @@ double free_part_of_sun(const Scene& scene, const Pose& pose, double solid) {
   const double distance = glm::length(pose.eye);
   if (solid <= 0.0 || distance <= 0.0) return 1.0;
   const double planet = std::asin(std::min(1.0, solid / distance));
-  const double beside = angle_between(-pose.eye, sun_of(scene)) - planet;
+  const double beside = f64::angle_between(-pose.eye, sun_of(scene)) - planet;
   const double radius = 0.5 * glm::radians(std::max(scene.sun.size, 0.05));
   return glm::smoothstep(-radius, radius, beside);
 }
@@ -34,7 +30,7 @@ double free_part_of_sun(const Scene& scene, const Pose& pose, double solid) {
 bool sun_in_picture(const Scene& scene, const View& view, const Pose& pose, bool with_glare) {
   const double reach = with_glare ? std::atan(f64::glare_reach) : 0.0;
   const double around = std::max(reach, 0.5 * glm::radians(scene.sun.size));
-  return angle_between(pose.forward, sun_of(scene)) < picture_half_angle(pose, view) + around;
+  return f64::angle_between(pose.forward, sun_of(scene)) < picture_half_angle(pose, view) + around;
 }
 
 }  // namespace terrella

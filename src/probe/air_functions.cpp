@@ -42,8 +42,11 @@ Function beer_lambert() {
   f.outputs = {{"T", 0}, {"absorbed", 1}, {"mean", 2}};
   f.prepare = as_they_come({"sigma", "dist"});
   f.random = [](Random& random) {
-    const double depth = random.chance(0.05) ? 0.0 : random.log_between(1e-12, 700.0),
-                 dist = random.log_between(1e-3, 1e6);
+    const double depth = random.chance(0.05) ? 0.0 : random.log_between(1e-12, 700.0);
+    // Now and then up to where a float ends for the one or the other.
+    const double shortest = std::fmax(2e-38, 4e-39 * depth), longest = std::fmin(3e38, 5e37 * std::fmax(depth, 1e-12));
+    const double dist =
+        random.chance(0.7) ? random.log_between(1e-3, 1e6) : rounded(random.log_between(shortest, longest));
     return Json{{"sigma", rounded(depth / dist)}, {"dist", rounded(dist)}};
   };
   f.allowed = [](const Case& c) {
@@ -81,7 +84,29 @@ Arg air_argument() {
   for (const Air& air : airs) {
     arg.fields.push_back({air.name, air.colored ? Kind::spread : Kind::number, air.unit, air.range, true});
   }
-  return arg;
+  return of_host(arg);
+}
+
+// A sentence where two directions with the given cosines to up can't be at the angle whose cosine is nu. Each cosine
+// may be off by what rounding it to single precision moves it by.
+std::string trouble_with_nu(double mu, double mu_s, double nu) {
+  const auto half_range = [&](double slack) {
+    return std::sqrt((1.0 - mu * mu + slack) * (1.0 - mu_s * mu_s + slack)) + slack;
+  };
+  const double middle = mu * mu_s, half = half_range(0.0);
+  if (std::fabs(nu - middle) <= half_range(4.0 * u)) return {};
+  return text_of("single_scatter: nu is ", nu, ", but between a ray of mu ", mu, " and a sun of mu_s ", mu_s, " it is ",
+                 middle - half, " to ", middle + half, ".");
+}
+
+// A sentence where a ray from an altitude meets the ground: by more than rounding, whose air would be as dense as none.
+std::string trouble_with_ground(const Numbers& numbers) {
+  const double alt = numbers[0], mu = numbers[1], bottom = numbers[2];
+  if (mu >= 0.0) return {};
+  const double lowest = (bottom + alt) * std::sqrt((1.0 - mu) * (1.0 + mu)) - bottom;
+  if (lowest >= std::fmin(alt, 0.0) - 1e-6 * bottom) return {};
+  return text_of("transmittance: with mu ", mu, " the ray from alt ", alt, " meets the ground, ", -lowest,
+                 " under it at its lowest; it has to pass.");
 }
 
 // Adds the numbers of an air, in the order of lib/scattering.glsl. Returns a sentence where they contradict each other.
@@ -130,6 +155,7 @@ Function transmittance() {
     Numbers numbers = {number(args, "alt"), number(args, "mu")};
     if (std::string trouble = add_air(numbers, args.value("atm", Json::object()), numbers[0]); !trouble.empty())
       return Failure{trouble};
+    if (std::string trouble = trouble_with_ground(numbers); !trouble.empty()) return Failure{trouble};
     return numbers;
   };
   f.random = [](Random& random) {
@@ -164,6 +190,9 @@ Function single_scatter() {
   f.prepare = [](const Json& args) -> Prepared {
     Numbers numbers;
     for (const char* name : {"alt", "mu", "mu_s", "nu", "dist"}) numbers.push_back(number(args, name));
+    if (std::string trouble = trouble_with_nu(numbers[1], numbers[2], numbers[3]); !trouble.empty()) {
+      return Failure{trouble};
+    }
     add(numbers, triple(args, "mie_scattering"));
     if (std::string trouble = add_air(numbers, args.value("atm", Json::object()), numbers[0]); !trouble.empty())
       return Failure{trouble};

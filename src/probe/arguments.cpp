@@ -104,6 +104,17 @@ std::string trouble_with_value(const Json& value, const Arg& arg, const std::str
   return {};
 }
 
+// All numbers in a value rounded; lists and objects may hold others.
+void round_within(Json& value, bool on_gpu) {
+  if (value.is_number()) {
+    const double rounded = static_cast<double>(static_cast<float>(value.get<double>()));
+    const bool lost = on_gpu && std::fabs(rounded) < static_cast<double>(std::numeric_limits<float>::min());
+    value = lost ? 0.0 : rounded;
+  } else if (value.is_structured()) {
+    for (Json& one : value) round_within(one, on_gpu);
+  }
+}
+
 }  // namespace
 
 std::string range_in_words(const Range& range) {
@@ -115,6 +126,29 @@ std::string range_in_words(const Range& range) {
   if (from) return text_of(range.open ? "more than " : "at least ", range.low);
   if (to) return text_of(range.open ? "less than " : "at most ", range.high);
   return "any number";
+}
+
+std::string trouble_with_squares(const Json& object, std::span<const Arg> declared) {
+  for (const Arg& arg : declared) {
+    if (!arg.squared) continue;
+    const Json& value = object[arg.name];
+    double size = value.is_number() ? std::fabs(value.get<double>()) : 0.0;
+    for (const Json& part : value.is_array() ? value : Json::array())
+      size = std::max(size, std::fabs(part.get<double>()));
+    if (size == 0.0 || (size >= squarable.low && size <= squarable.high)) continue;
+    return text_of(arg.name, ": ", quoted(value), " is out of range; allowed is 0 or a size of ",
+                   range_in_words(squarable), ".");
+  }
+  return {};
+}
+
+Json as_told(const Json& object, std::span<const Arg> declared, Precision precision) {
+  Json told = object;
+  for (const Arg& arg : declared) {
+    const auto found = told.find(std::string(arg.name));
+    if (found != told.end() && !arg.of_host) round_within(*found, precision == Precision::gpu && !arg.squared);
+  }
+  return told;
 }
 
 std::string trouble_with(const Json& object, std::span<const Arg> declared, std::string_view whole) {

@@ -45,6 +45,9 @@ inline constexpr Range any{};
 inline constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
 inline constexpr Range not_negative{0.0};
 
+// The numbers that a function's body reads, or a sentence.
+using Prepared = Result<std::vector<double>>;
+
 // One argument of a function, or one field of an object among them.
 struct Arg {
   std::string_view name;
@@ -54,7 +57,22 @@ struct Arg {
   bool optional = false;
   std::vector<std::string_view> words = {};
   std::vector<Arg> fields = {};
+  bool of_host = false;  // read in double precision, and not told to a vertex or a pixel as it is
+  bool squared = false;  // in single precision its size is 0 or within squarable
 };
+
+// Sizes whose squares and quotients single precision holds.
+inline constexpr Range squarable{1e-18, 1e18};
+
+inline Arg of_host(Arg arg) {
+  arg.of_host = true;
+  return arg;
+}
+
+inline Arg squared(Arg arg) {
+  arg.squared = true;
+  return arg;
+}
 
 // One member of the answer: a list of `count` of the numbers that the function put, from `first` on, or a single number
 // where count is 0.
@@ -94,7 +112,7 @@ struct Function {
 
   // The numbers that the function's body (bodies.inc) reads, from arguments that are there and in range: what a host
   // does in double precision before it draws. Fails with a sentence where they contradict each other.
-  std::function<Result<std::vector<double>>(const Json& args)> prepare;
+  std::function<Prepared(const Json& args)> prepare;
 
   // Where the answer's members depend on the arguments or on what was found; otherwise `outputs` are they.
   std::function<std::vector<Output>(const Json& args, std::span<const double> answers)> shape = {};

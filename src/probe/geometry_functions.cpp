@@ -14,7 +14,8 @@ namespace {
 Function grid_offset() {
   Function f;
   f.name = "grid_offset";
-  f.args = {{"r", Kind::number, "m", positive}, {"alt", Kind::number, "m"}, {"h_max", Kind::number, "m", not_negative}};
+  f.args = {squared({"r", Kind::number, "m", positive}), squared({"alt", Kind::number, "m"}),
+            squared({"h_max", Kind::number, "m", not_negative})};
   f.outputs = {{"h", 0}, {"s", 1}, {"zs", 2}, {"phi", 3}};
   f.prepare = [](const Json& args) -> Prepared {
     const Numbers numbers = {number(args, "r"), number(args, "alt"), number(args, "h_max")};
@@ -39,6 +40,7 @@ Function grid_offset() {
 }
 
 constexpr Range even_numbers{2.0, 0x1p30};
+constexpr Range within_grid{-1.0, 1.0};
 
 std::string trouble_with_n(double n) {
   if (std::fmod(n, 2.0) == 0.0) return {};
@@ -48,7 +50,10 @@ std::string trouble_with_n(double n) {
 Function grid_point() {
   Function f;
   f.name = "grid_point";
-  f.args = {{"gx"}, {"gy"}, {"zs"}, {"n", Kind::whole, "", even_numbers}};
+  f.args = {{"gx", Kind::number, "", within_grid},
+            {"gy", Kind::number, "", within_grid},
+            squared({"zs"}),
+            {"n", Kind::whole, "", even_numbers}};
   f.outputs = {{"gz", 0}, {"dir", 1, 3}};
   f.prepare = [](const Json& args) -> Prepared {
     if (std::string trouble = trouble_with_n(number(args, "n")); !trouble.empty()) return Failure{trouble};
@@ -77,13 +82,13 @@ Function grid_point() {
 Function grid_world() {
   Function f;
   f.name = "grid_world";
-  f.args = {{"gx"},
-            {"gy"},
+  f.args = {{"gx", Kind::number, "", within_grid},
+            {"gy", Kind::number, "", within_grid},
             {"n", Kind::whole, "", even_numbers},
-            {"r", Kind::number, "m", positive},
-            {"h_max", Kind::number, "m", not_negative},
-            {"cam", Kind::triple, "m"},
-            {"b", Kind::triple}};
+            of_host(squared({"r", Kind::number, "m", positive})),
+            of_host({"h_max", Kind::number, "m", not_negative}),
+            of_host(squared({"cam", Kind::triple, "m"})),
+            of_host({"b", Kind::triple})};
   f.outputs = {{"rel", 0, 3}};
   f.prepare = [](const Json& args) -> Prepared {
     if (std::string trouble = trouble_with_n(number(args, "n")); !trouble.empty()) return Failure{trouble};
@@ -127,9 +132,8 @@ Function grid_world() {
 Function horizon() {
   Function f;
   f.name = "horizon";
-  f.args = {{"r", Kind::number, "m", positive},
-            {"alt", Kind::number, "m", not_negative},
-            {"h_max", Kind::number, "m", not_negative}};
+  f.args = {squared({"r", Kind::number, "m", positive}), squared({"alt", Kind::number, "m", not_negative}),
+            squared({"h_max", Kind::number, "m", not_negative})};
   f.outputs = {{"dist", 0}, {"angle", 1}, {"cull_angle", 2}};
   f.prepare = as_they_come({"r", "alt", "h_max"});
   f.random = [](Random& random) {
@@ -164,10 +168,21 @@ Function split_distance() {
   return f;
 }
 
+// How many times a vector's largest part has to be halved to lie between a half and 1.
+int halvings(const glm::dvec3& v) {
+  int exponent = 0;
+  std::frexp(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}), &exponent);
+  return exponent;
+}
+
+glm::dvec3 halved(const glm::dvec3& v, int times) {
+  return {std::ldexp(v.x, -times), std::ldexp(v.y, -times), std::ldexp(v.z, -times)};
+}
+
 Function arc_angle() {
   Function f;
   f.name = "arc_angle";
-  f.args = {{"a", Kind::triple}, {"b", Kind::triple}};
+  f.args = {of_host({"a", Kind::triple}), of_host({"b", Kind::triple})};
   f.outputs = {{"angle", 0}};
   f.prepare = [](const Json& args) -> Prepared {
     for (const char* name : {"a", "b"}) {
@@ -175,15 +190,25 @@ Function arc_angle() {
         return Failure{text_of("arc_angle: ", name, " is 0 and so has no direction.")};
       }
     }
-    return as_they_come({"a", "b"})(args);
+    // Angles know no unit: one in which b is about 1 long, so that no square is too small or too large for a float.
+    // Halving loses no digit. What is not of about the same length as b is made so.
+    glm::dvec3 a = triple(args, "a"), b = triple(args, "b");
+    const int of_a = halvings(a), of_b = halvings(b);
+    a = halved(a, std::abs(of_a - of_b) > 1 ? of_a : of_b);
+    b = halved(b, of_b);
+    Numbers numbers;
+    add(numbers, a);
+    add(numbers, b);
+    return numbers;
   };
   f.random = [](Random& random) {
     const glm::dvec3 a = random.on_sphere();
     const glm::dvec3 side = glm::normalize(glm::cross(a, random.on_sphere()));
     double angle = random.chance(0.5) ? random.between(0.0, std::numbers::pi) : random.log_between(1e-7, 1.0);
     if (random.chance(0.2)) angle = std::numbers::pi - angle;
-    const double size = random.chance(0.5) ? 1.0 : random.log_between(1e-6, 1e8);
-    const double other = random.chance(0.7) ? size : size * random.between(0.51, 1.9);
+    const double size = random.chance(0.5) ? 1.0 : random.log_between(1e-30, 1e30);
+    double other = size;
+    if (random.chance(0.3)) other *= random.chance(0.8) ? random.between(0.51, 1.9) : random.log_between(1e-6, 1e6);
     return Json{{"a", rounded(size * a)}, {"b", rounded(other * (std::cos(angle) * a + std::sin(angle) * side))}};
   };
   f.allowed = [](const Case& c) {
@@ -197,7 +222,8 @@ Function arc_angle() {
 Function ray_sphere() {
   Function f;
   f.name = "ray_sphere";
-  f.args = {{"o", Kind::triple, "m"}, {"d", Kind::triple}, {"r", Kind::number, "m", positive}};
+  f.args = {squared({"o", Kind::triple, "m"}), squared({"d", Kind::triple}),
+            squared({"r", Kind::number, "m", positive})};
   f.prepare = [](const Json& args) -> Prepared {
     if (triple(args, "d") == glm::dvec3(0.0)) return Failure{"ray_sphere: d is 0 and so has no direction."};
     return as_they_come({"o", "d", "r"})(args);
@@ -230,10 +256,10 @@ Function ray_sphere() {
 Function ray_shell() {
   Function f;
   f.name = "ray_shell";
-  f.args = {{"r", Kind::number, "m", positive},
-            {"alt", Kind::number, "m"},
+  f.args = {squared({"r", Kind::number, "m", positive}),
+            squared({"alt", Kind::number, "m"}),
             {"mu", Kind::number, "", {-1.0, 1.0}},
-            {"h", Kind::number, "m"}};
+            squared({"h", Kind::number, "m"})};
   f.prepare = as_they_come({"r", "alt", "mu", "h"});
   f.shape = [](const Json&, std::span<const double> answers) {
     const bool none = answers[0] == 0.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "base/check.hpp"
 #include "gl/caps.hpp"
@@ -15,9 +16,11 @@ constexpr std::size_t kWidth = 1024, kMostRows = 2048;  // of the texture of num
 constexpr const char* kBefore = R"(
 #define Real float
 uniform highp sampler2D numbers;
+uniform int two;
 layout(location = 0) in int start;
 out vec4 answers_low;
 out vec4 answers_high;
+out float finished;
 float answers[8];
 float num(int i) {
   int at = start + i;
@@ -44,7 +47,12 @@ void main() {
   for (int i = 0; i < 8; ++i) answers[i] = 0.0;
 )";
 
+// Software rasterizers end all loops of a shader, and of the vertices computed beside it, after 65,536 turns together:
+// then a loop of two does not turn at all.
 constexpr const char* kAfter = R"(
+  int turns = 0;
+  for (int i = 0; i < two; ++i) ++turns;
+  finished = turns == two ? 1.0 : 0.0;
   answers_low = vec4(answers[0], answers[1], answers[2], answers[3]);
   answers_high = vec4(answers[4], answers[5], answers[6], answers[7]);
   gl_Position = vec4(0.0);
@@ -76,8 +84,8 @@ GLuint Gpu::program_of(std::string_view function) {
   gl::ProgramHandle program;
   attach(program.name(), GL_VERTEX_SHADER, library_text() + kBefore + std::string(body_text(function)) + kAfter);
   attach(program.name(), GL_FRAGMENT_SHADER, "out vec4 c;\nvoid main() { c = vec4(0.0); }\n");
-  const char* outputs[] = {"answers_low", "answers_high"};
-  glTransformFeedbackVaryings(program.name(), 2, outputs, GL_INTERLEAVED_ATTRIBS);
+  const char* outputs[] = {"answers_low", "answers_high", "finished"};
+  glTransformFeedbackVaryings(program.name(), 3, outputs, GL_INTERLEAVED_ATTRIBS);
   glLinkProgram(program.name());
   GLint linked = GL_FALSE;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
@@ -88,7 +96,7 @@ GLuint Gpu::program_of(std::string_view function) {
 }
 
 void Gpu::draw(GLuint program, const std::vector<float>& numbers, const std::vector<GLint>& starts,
-               std::vector<Answers<float>>& answers) {
+               std::vector<Drawn>& drawn) {
   const gl::Target somewhere(1, 1, gl::Format::rgba8, false);  // a context without a window has nowhere to draw to
   somewhere.begin();
   const std::size_t rows = (numbers.size() + kWidth - 1) / kWidth;
@@ -111,20 +119,21 @@ void Gpu::draw(GLuint program, const std::vector<float>& numbers, const std::vec
   glVertexAttribIPointer(0, 1, GL_INT, 0, nullptr);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 
-  const auto bytes = static_cast<GLsizeiptr>(starts.size() * sizeof(Answers<float>));
+  const auto bytes = static_cast<GLsizeiptr>(starts.size() * sizeof(Drawn));
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, outcome.name());
   glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
   glUseProgram(program);
   glUniform1i(glGetUniformLocation(program, "numbers"), 0);
+  glUniform1i(glGetUniformLocation(program, "two"), 2);
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginTransformFeedback(GL_POINTS);
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(starts.size()));
   glEndTransformFeedback();
   glDisable(GL_RASTERIZER_DISCARD);
   const auto* mapped =
-      static_cast<const Answers<float>*>(glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT));
+      static_cast<const Drawn*>(glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT));
   CHECK(mapped != nullptr, "the driver hands no answers back");
-  answers.insert(answers.end(), mapped, mapped + starts.size());
+  drawn.insert(drawn.end(), mapped, mapped + starts.size());
   glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
   glBindVertexArray(0);
@@ -132,7 +141,7 @@ void Gpu::draw(GLuint program, const std::vector<float>& numbers, const std::vec
 
 std::vector<Answers<float>> Gpu::evaluate(std::string_view function, const std::vector<std::vector<float>>& lists) {
   const GLuint program = program_of(function);
-  std::vector<Answers<float>> answers;
+  std::vector<Drawn> drawn;
   std::vector<float> numbers;
   std::vector<GLint> starts;
   for (std::size_t i = 0; i < lists.size(); ++i) {
@@ -141,10 +150,21 @@ std::vector<Answers<float>> Gpu::evaluate(std::string_view function, const std::
     numbers.insert(numbers.end(), lists[i].begin(), lists[i].end());
     const bool last = i + 1 == lists.size();
     if (last || numbers.size() + lists[i + 1].size() > kWidth * kMostRows) {
-      draw(program, numbers, starts, answers);
+      draw(program, numbers, starts, drawn);
       numbers.clear();
       starts.clear();
     }
+  }
+  std::vector<Answers<float>> answers;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    std::vector<Drawn> alone = {drawn[i]};
+    // It may have been one of those beside it that went on for too long.
+    if (drawn[i].finished == 0.0F && lists.size() > 1) {
+      alone.clear();
+      draw(program, lists[i], {0}, alone);
+    }
+    if (alone[0].finished == 0.0F) alone[0].answers.fill(std::numeric_limits<float>::quiet_NaN());
+    answers.push_back(alone[0].answers);
   }
   return answers;
 }

@@ -20,7 +20,7 @@ Function octave_sum() {
             {"k", Kind::number, "", not_negative, true}};
   f.outputs = {{"h", 0}};
   f.prepare = [](const Json& args) -> Prepared {
-    Numbers numbers = {number(args, "persistence"), args["mode"] == "ridge" ? 1.0 : 0.0, number_or(args, "k", -1.0),
+    Numbers numbers = {number(args, "persistence"), args["mode"] == "ridge" ? 1.0 : 0.0, number_or(args, "k", 1e30),
                        static_cast<double>(args["values"].size())};
     for (const Json& value : args["values"]) numbers.push_back(value.get<double>());
     return numbers;

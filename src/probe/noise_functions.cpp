@@ -97,13 +97,13 @@ Function noise() {
   const Range count{1.0, 24.0}, seeds{0.0, 4294967295.0}, lacunarities{1.0, 4.0}, persistences{0.0, 1.5},
       warps{-10.0, 10.0};
   f.args = {{"kind", Kind::word, "", any, false, noise_kinds},
-            {"p", Kind::triple, "cells", any, true},
-            {"cam", Kind::triple, "cells", any, true},
+            of_host({"p", Kind::triple, "cells", any, true}),
+            of_host({"cam", Kind::triple, "cells", any, true}),
             {"q", Kind::triple, "cells", any, true},
-            {"alpha", Kind::number, "rad", any, true},
-            {"seed", Kind::whole, "", seeds, true},
-            {"octaves", Kind::whole, "", count, true},
-            {"lacunarity", Kind::number, "", lacunarities, true},
+            of_host({"alpha", Kind::number, "rad", any, true}),
+            of_host({"seed", Kind::whole, "", seeds, true}),
+            of_host({"octaves", Kind::whole, "", count, true}),
+            of_host({"lacunarity", Kind::number, "", lacunarities, true}),
             {"persistence", Kind::number, "", persistences, true},
             {"warp", Kind::number, "", warps, true}};
   f.prepare = prepare_noise;

@@ -63,72 +63,15 @@ std::string understand_function(const Json& request, Request& understood) {
 std::string understand_precision(const Json& request, Request& understood) {
   const auto name = request.find("precision");
   if (name == request.end()) return {};
-  const std::string wanted = name->is_string() ? name->get<std::string>() : name->dump();
+  const std::string wanted = name->is_string() ? name->get<std::string>() : std::string();
   for (std::size_t i = 0; i < std::size(precisions); ++i) {
-    if (name->is_string() && wanted == precisions[i]) {
+    if (wanted == precisions[i]) {
       understood.precision = static_cast<Precision>(i);
       return {};
     }
   }
-  return text_of("precision: ", json_quoted(shortened(wanted)), " is none; there are f64, f32 and gpu",
+  return text_of("precision: ", shortened(name->dump()), " is none; there are f64, f32 and gpu",
                  did_you_mean(nearest_name(wanted, precisions)));
-}
-
-std::string understand_args(const Json& request, Request& understood) {
-  const auto args = request.find("args");
-  if (args == request.end()) return "args: the arguments are missing; they are an object.";
-  if (!args->is_object()) return text_of("args: ", shortened(args->dump()), " is not an object.");
-  std::string trouble = trouble_with(*args, understood.function->args, understood.function->name);
-  if (!trouble.empty()) return trouble;
-  auto prepared = understood.function->prepare(*args);
-  if (!prepared) return prepared.sentence();
-  understood.args = *args;
-  understood.numbers = *prepared;
-  return {};
-}
-
-// No request is nested deeper than a list in an object in a list of arguments; what is, would not be printed without
-// recursion either.
-bool too_deep(const std::string& line) {
-  constexpr int deepest = 64;
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (in_string && c == '\\') {
-      ++i;
-    } else if (c == '"') {
-      in_string = !in_string;
-    } else if (!in_string && (c == '{' || c == '[')) {
-      if (++depth > deepest) return true;
-    } else if (!in_string && (c == '}' || c == ']')) {
-      --depth;
-    }
-  }
-  return false;
-}
-
-Request understand(const std::string& line) {
-  Request understood;
-  if (line.size() > kLongestLine) {
-    understood.error = text_of("The line is ", line.size(), " bytes long; at most ", kLongestLine, " are read.");
-    return understood;
-  }
-  if (too_deep(line)) {
-    understood.error = "The line is nested deeper than 64 lists and objects.";
-    return understood;
-  }
-  const Json request = Json::parse(line, nullptr, false);
-  if (request.is_discarded() || !request.is_object()) {
-    understood.error = "The line is not a JSON object, {\"fn\": …, \"args\": {…}, \"precision\": …}.";
-    return understood;
-  }
-  understood.id = request.value("id", Json());
-  understood.error = trouble_with_members(request);
-  if (understood.error.empty()) understood.error = understand_function(request, understood);
-  if (understood.error.empty()) understood.error = understand_precision(request, understood);
-  if (understood.error.empty()) understood.error = understand_args(request, understood);
-  return understood;
 }
 
 bool all_finite(std::span<const double> numbers) {
@@ -137,6 +80,42 @@ bool all_finite(std::span<const double> numbers) {
 
 bool all_finite(std::span<const float> numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
+}
+
+std::string understand_args(const Json& request, Request& understood) {
+  const auto args = request.find("args");
+  if (args == request.end()) return "args: the arguments are missing; they are an object.";
+  if (!args->is_object()) return text_of("args: ", shortened(args->dump()), " is not an object.");
+  std::string trouble = trouble_with(*args, understood.function->args, understood.function->name);
+  if (!trouble.empty()) return trouble;
+  Prepared prepared = understood.function->prepare(*args);
+  if (!prepared) return prepared.sentence();
+  understood.args = *args;
+  understood.numbers = *prepared;
+  if (understood.precision == Precision::f64 || !all_finite(rounded_numbers(understood.numbers))) return {};
+  // What makes sense in double may not do so once it is rounded: then a sentence, and no infinity or worse.
+  const Json told = as_told(*args, understood.function->args, understood.precision);
+  trouble = trouble_with(told, understood.function->args, understood.function->name);
+  if (!trouble.empty()) return "In single precision: " + trouble;
+  prepared = understood.function->prepare(told);
+  if (!prepared) return "In single precision: " + prepared.sentence();
+  trouble = trouble_with_squares(told, understood.function->args);
+  if (!trouble.empty()) return "In single precision: " + trouble;
+  understood.numbers = *prepared;
+  return {};
+}
+
+Request understand(const std::string& text) {
+  const Line line = read_line(text);
+  Request understood;
+  understood.id = line.id;
+  understood.error = line.trouble;
+  const Json& request = line.request;
+  if (understood.error.empty()) understood.error = trouble_with_members(request);
+  if (understood.error.empty()) understood.error = understand_function(request, understood);
+  if (understood.error.empty()) understood.error = understand_precision(request, understood);
+  if (understood.error.empty()) understood.error = understand_args(request, understood);
+  return understood;
 }
 
 std::string printed(double value, int digits) {

@@ -9,11 +9,9 @@
 
 #include "probe/function.hpp"
 #include "probe/gpu.hpp"
+#include "probe/line.hpp"
 
 namespace terrella::probe {
-
-// The longest line that is read, in bytes.
-inline constexpr std::size_t kLongestLine = 10'000'000;
 
 class Probe {
  public:

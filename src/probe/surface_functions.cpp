@@ -1,6 +1,7 @@
 // Light at surfaces. Definitions and bounds of errors: docs/numerics.md.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -33,12 +34,14 @@ Function schlick() {
 Function fresnel_alpha() {
   Function f;
   f.name = "fresnel_alpha";
-  f.args = {{"cos"}, {"a", Kind::number, "", not_negative}};
+  // Beyond, what the rounding of 1 - cos has lost is no longer small when it is raised.
+  constexpr Range powers{0.0, 1e4};
+  f.args = {{"cos"}, {"a", Kind::number, "", powers}};
   f.outputs = {{"alpha", 0}};
   f.prepare = as_they_come({"cos", "a"});
   f.random = [](Random& random) {
     const double c = random.chance(0.2) ? 1.0 - random.log_between(1e-7, 1.0) : random.between(-0.1, 1.0 + 2.4e-7);
-    return Json{{"cos", rounded(c)}, {"a", random.chance(0.1) ? 0.0 : rounded(random.log_between(1e-3, 1e2))}};
+    return Json{{"cos", rounded(c)}, {"a", random.chance(0.1) ? 0.0 : rounded(random.log_between(1e-3, 1e4))}};
   };
   f.allowed = [](const Case& c) {
     const double x = 1.0 - std::fmin(std::fmax(c.numbers[0], 0.0), 1.0);
@@ -50,7 +53,7 @@ Function fresnel_alpha() {
 Function wrap_diffuse() {
   Function f;
   f.name = "wrap_diffuse";
-  f.args = {{"cos"}, {"w"}};
+  f.args = {{"cos"}, {"w", Kind::number, "", {-1.0, std::numeric_limits<double>::infinity(), true}}};
   f.outputs = {{"I", 0}};
   f.prepare = as_they_come({"cos", "w"});
   f.random = [](Random& random) {

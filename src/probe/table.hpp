@@ -10,7 +10,6 @@
 namespace terrella::probe {
 
 using Numbers = std::vector<double>;
-using Prepared = Result<Numbers>;
 
 inline constexpr double turn = 2.0 * std::numbers::pi;
 inline constexpr double u = 0x1p-24;  // the most that rounding to single precision moves a number by, relative to it

@@ -134,21 +134,21 @@ Numbers allowed_gerstner(const Case& c) {
 Function gerstner() {
   Function f;
   f.name = "gerstner";
-  f.args = {{"q", Kind::triple, "m"},
-            {"anchor", Kind::triple, "m"},
-            {"r", Kind::number, "m", positive},
-            {"t", Kind::number, "s"},
-            {"waves",
-             Kind::objects,
-             "",
-             any,
-             false,
-             {},
-             {{"o", Kind::triple},
-              {"A", Kind::number, "m"},
-              {"w", Kind::number, "rad/m"},
-              {"phi", Kind::number, "rad/s"},
-              {"Q"}}},
+  f.args = {squared({"q", Kind::triple, "m"}),
+            of_host({"anchor", Kind::triple, "m"}),
+            of_host(squared({"r", Kind::number, "m", positive})),
+            of_host({"t", Kind::number, "s"}),
+            of_host({"waves",
+                     Kind::objects,
+                     "",
+                     any,
+                     false,
+                     {},
+                     {{"o", Kind::triple},
+                      {"A", Kind::number, "m"},
+                      {"w", Kind::number, "rad/m"},
+                      {"phi", Kind::number, "rad/s"},
+                      {"Q"}}}),
             {"fade", Kind::pair, "", any, true}};
   f.outputs = {{"disp", 0, 3}, {"normal", 3, 3}, {"jac", 6}};
   f.prepare = prepare_gerstner;

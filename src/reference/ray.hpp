@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "formulas/formulas.hpp"
+
 namespace terrella::reference {
 
 struct Ray {
@@ -29,13 +31,9 @@ struct Resolution {
 };
 
 // Where a ray lies within a sphere around the centre, before and behind its origin; nothing where it passes the sphere.
-// The distance of the ray from the centre is taken from its own perpendicular, so that no root is lost to cancellation.
 inline std::optional<Span> within_sphere(const Ray& ray, double radius) {
-  const double along = glm::dot(ray.origin, ray.direction);
-  const double nearest = glm::length(ray.origin - along * ray.direction);
-  if (nearest >= radius) return std::nullopt;
-  const double chord = std::sqrt((radius - nearest) * (radius + nearest));
-  return Span{-along - chord, -along + chord};
+  const f64::Roots roots = f64::ray_sphere(ray.origin, ray.direction, radius);
+  return roots.t1 > roots.t0 ? std::optional(Span{roots.t0, roots.t1}) : std::nullopt;
 }
 
 // Where a ray enters a sphere that its origin is outside of, or leaves one that it is inside of; only ahead.

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "formulas/formulas.hpp"
 #include "gl/caps.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -22,7 +23,7 @@ double planet_pixels(const View& view, const Pose& pose) {
   const double all = static_cast<double>(view.width) * view.height;
   const double distance = glm::length(pose.eye);
   if (distance <= 1.0) return all;
-  const double radius = std::tan(std::asin(std::min(1.0, 1.0 / distance))) / pose.pixel_angle;
+  const double radius = 1.0 / (f64::horizon_distance(1.0, distance - 1.0) * pose.pixel_angle);
   return std::isfinite(radius) ? std::min(all, std::numbers::pi * radius * radius) : all;
 }
 

@@ -20,12 +20,16 @@ TEST(OctaveSum, IsTheMeanByAmplitude) {
   EXPECT_NEAR(f64::octave_mean(s), (0.8 + 0.5 * 0.2 + 0.25 * 0.4) / 1.75, 1e-15);
 }
 
-TEST(OctaveValue, IsHalfTheNoiseOrARidge) {
-  EXPECT_EQ(f64::octave_value(-1.0, false, -1.0), 0.0);
-  EXPECT_EQ(f64::octave_value(0.5, false, -1.0), 0.75);
-  EXPECT_EQ(f64::octave_value(-0.25, true, -1.0), 0.75);
-  EXPECT_EQ(f64::octave_value(0.25, true, -1.0), 0.75);
-  EXPECT_NEAR(f64::octave_value(-0.25, true, 3.0), 1.0 - 0.25 * std::tanh(0.75), 1e-15);
+TEST(LayerValue, IsHalfTheNoiseOrARidge) {
+  EXPECT_EQ(f64::layer_value(-1.0, false, 1e30), 0.0);
+  EXPECT_EQ(f64::layer_value(0.5, false, 1e30), 0.75);
+  EXPECT_EQ(f64::layer_value(-0.25, true, 1e30), 0.75);
+  EXPECT_EQ(f64::layer_value(0.25, true, 1e30), 0.75);
+  EXPECT_EQ(f32::layer_value(0.25F, true, 1e30F), 0.75F);
+  EXPECT_EQ(f64::layer_value(0.0, true, 1e30), 1.0);
+  EXPECT_EQ(f64::layer_slope(0.25, true, 1e30), -1.0);
+  EXPECT_EQ(f64::layer_slope(-0.25, true, 1e30), 1.0);
+  EXPECT_NEAR(f64::layer_value(-0.25, true, 3.0), 1.0 - 0.25 * std::tanh(0.75), 1e-15);
 }
 
 TEST(TurnedNoiseBend, IsTheDerivativeOfTheGradient) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "native/egl_context.hpp"
+#include "probe/hostile.hpp"
 #include "probe/probe.hpp"
 
 namespace terrella::probe {
@@ -21,22 +22,22 @@ void hold(Gpu* gpu, unsigned seed) {
 
 TEST(Bounds, HoldInSinglePrecision) { hold(nullptr, 11U); }
 
-class OnGpu : public testing::TestWithParam<Api> {};
-
-TEST_P(OnGpu, BoundsHold) {
-  const auto context = EglContext::make(GetParam());
-  ASSERT_TRUE(context) << context.sentence();
-  Gpu gpu;
-  hold(&gpu, 12U);
-}
-
-TEST_P(OnGpu, AnswersOfABatchStayInOrder) {
-  std::unique_ptr<EglContext> context;
-  Probe probe([&] {
+class OnGpu : public testing::TestWithParam<Api> {
+ protected:
+  std::unique_ptr<EglContext> context;  // outlives the probe, whose objects live in it
+  Probe probe{[this] {
     auto made = EglContext::make(GetParam());
     if (made) context = std::move(*made);
     return static_cast<bool>(made);
-  });
+  }};
+};
+
+TEST_P(OnGpu, BoundsHold) {
+  ASSERT_NE(probe.gpu(), nullptr);
+  hold(probe.gpu(), 12U);
+}
+
+TEST_P(OnGpu, AnswersOfABatchStayInOrder) {
   std::vector<std::string> lines;
   for (int i = 0; i < 200; ++i) {
     const Json args = i % 3 == 0 ? Json{{"cos", 0.001 * i}, {"w", 0.5}} : Json{{"x", 0.01 * i}, {"k", 2}};
@@ -55,6 +56,34 @@ TEST_P(OnGpu, AnswersOfABatchStayInOrder) {
     } else {
       EXPECT_NEAR(answer["value"]["y"].get<double>(), 0.01 * i * std::tanh(0.02 * i), 1e-5);
     }
+  }
+}
+
+// A software rasterizer gives up on loops that turn too often, and on those of the vertices beside it. Whoever asked
+// for little is answered all the same, and who asked for too much is not answered wrongly.
+TEST_P(OnGpu, NoAnswerDependsOnWhatIsAskedBesideIt) {
+  const auto asked = [](const char* scale_height) {
+    return std::string(
+               R"({"fn": "single_scatter", "precision": "gpu", "args": {"alt": 2, "mu": 0, "mu_s": 0.5, "nu": 0.3,
+        "dist": 5e5, "mie_scattering": 1e-6, "atm": {"rayleigh_H": )") +
+           scale_height + "}}}";
+  };
+  const std::string small = asked("8000"), large = asked("1e-3");
+  const std::vector<std::string> beside = probe.answer(std::vector<std::string>{large, small, large, small});
+  const std::string alone = probe.answer(std::vector<std::string>{small}).at(0);
+  EXPECT_NE(alone.find("value"), std::string::npos) << alone;
+  EXPECT_EQ(beside[1], alone);
+  EXPECT_EQ(beside[3], alone);
+  EXPECT_EQ(beside[0], probe.answer(std::vector<std::string>{large}).at(0));
+}
+
+TEST_P(OnGpu, HostileRequestsAreAnswered) {
+  const std::vector<std::string> lines = test::extreme_requests(50, "gpu", 9U);
+  const std::vector<std::string> answers = probe.answer(lines);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Json answer = Json::parse(answers[i]);
+    EXPECT_EQ(answer["id"], i);
+    EXPECT_TRUE(answer.contains("value") != answer.contains("error")) << lines[i];
   }
 }
 

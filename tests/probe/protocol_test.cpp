@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "probe/arguments.hpp"
+#include "probe/hostile.hpp"
 #include "probe/probe.hpp"
 
 namespace terrella::probe {
@@ -126,6 +127,107 @@ TEST(Protocol, NothingThatIsSentStopsTheStream) {
   }
 }
 
+// One answer a line, and JSON, whatever was asked.
+TEST(Protocol, HostileLinesAreAnswered) {
+  for (const char* precision : {"f64", "f32"}) {
+    const std::vector<std::string> lines = test::extreme_requests(100, precision, 7U);
+    const std::vector<Json> answers = answers_to(lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      EXPECT_EQ(answers[i]["id"], i);
+      EXPECT_TRUE(answers[i].contains("value") != answers[i].contains("error")) << lines[i];
+    }
+    for (const Json& answer : answers_to(test::garbled(lines, 8U))) {
+      EXPECT_TRUE(answer.contains("value") != answer.contains("error")) << answer;
+    }
+  }
+}
+
+// An error of a line that is no JSON says what is wrong, and whose it is where that can be made out.
+TEST(Protocol, BrokenLinesKeepTheirId) {
+  const auto expect = [](const std::string& line, const Json& id, const std::string& error) {
+    const Json answer = answer_to(line);
+    EXPECT_EQ(answer["id"], id) << line;
+    EXPECT_EQ(answer["error"], error) << line;
+  };
+  const std::string no_word = " is no value of JSON; numbers are finite and words stand in quotes.";
+  expect(R"({"id": 7, "fn": "horizon", "args": {"r": NaN}})", 7, "\"NaN\"" + no_word);
+  expect(R"({"fn": "horizon", "args": {"r": [-Infinity]}, "id": "x,}"})", "x,}", "\"-Infinity\"" + no_word);
+  expect(R"({"id": {"a": [1, 2]}, "fn": "horizon", "args": {"r": 1e400}})", Json::parse(R"({"a": [1, 2]})"),
+         "1e400 is too large; numbers are at most 1.797e308.");
+  expect("{\"id\": 7, \"fn\": \"\xff\"}", 7, "The line is not UTF-8.");
+  const std::string no_object = "The line is not a JSON object, {\"fn\": …, \"args\": {…}, \"precision\": …}.";
+  expect(R"({"id": 7, "fn": "horizon", "args": {"r": )", 7, no_object);
+  expect(R"({"id": 7, "fn": "horizon",, "args": {}})", 7, no_object);
+  expect(R"({"args": {"id": 1}, "fn": "id", "id" :8,})", 8, no_object);
+  // What may be only the beginning of one is none.
+  expect(R"({"fn": "horizon", "id": 12)", nullptr, no_object);
+  expect(R"({"fn": "horizon", "id": "12)", nullptr, no_object);
+  expect(R"({"id": NaN, "fn": "horizon"})", nullptr, "\"NaN\"" + no_word);
+  expect(R"(["id", "id": 7])", nullptr, no_object);
+  expect("{\"id\": 7, \"fn\": " + std::string(100, '[') + "}", 7,
+         "The line is nested deeper than 64 lists and objects.");
+  expect("{\"id\": 7, \"fn\": \"" + std::string(kLongestLine, 'x') + "\"}", 7,
+         "The line is longer than 10000000 bytes; no more are read.");
+}
+
+TEST(Protocol, SaysWhatPrecisionsThereAre) {
+  const auto of = [](const char* precision) {
+    return error_of(R"({"fn": "smooth_abs", "args": {"x": 1, "k": 1}, "precision": )" + std::string(precision) + "}");
+  };
+  EXPECT_EQ(of("null"), "precision: null is none; there are f64, f32 and gpu.");
+  EXPECT_EQ(of("32"), "precision: 32 is none; there are f64, f32 and gpu.");
+  EXPECT_EQ(of(R"(["f32"])"), "precision: [\"f32\"] is none; there are f64, f32 and gpu.");
+  EXPECT_EQ(of(R"("")"), "precision: \"\" is none; there are f64, f32 and gpu.");
+}
+
+// What is right in double and not in single precision has a sentence there, instead of an infinity.
+TEST(Protocol, SaysWhatSinglePrecisionCannotHold) {
+  const auto expect = [](const std::string& request, const std::string& error) {
+    EXPECT_TRUE(answer_to("{" + request + "}").contains("value")) << request;
+    EXPECT_EQ(error_of("{" + request + R"(, "precision": "f32"})"), "In single precision: " + error);
+  };
+  expect(R"("fn": "cloud_signal", "args": {"alt": 1000, "bottom": 1000, "top": 1000.000001})",
+         "cloud_signal: top is 1000 and bottom is 1000; the top lies above the bottom.");
+  expect(R"("fn": "gerstner", "args": {"q": [0, 0, 0], "anchor": [1, 0, 0], "r": 1, "t": 0,
+            "waves": [{"o": [0, 1, 0], "A": 0.1, "w": 5, "phi": 1, "Q": 0.5}], "fade": [0.5, 0.50000000001]})",
+         "fade: [0.5, 0.5] does not rise; its first number is less than its second.");
+  expect(R"("fn": "phase", "args": {"kind": "hg", "mu": 1, "g": 0.99999999999})",
+         "g: 1.0 is out of range; allowed is more than -1 and less than 1.");
+  expect(R"("fn": "ray_sphere", "args": {"o": [0, 0, 0], "d": [1e-50, 0, 0], "r": 1})",
+         "ray_sphere: d is 0 and so has no direction.");
+  expect(R"("fn": "horizon", "args": {"r": 1e-50, "alt": 0, "h_max": 0})",
+         "r: 0.0 is out of range; allowed is more than 0.");
+  expect(R"("fn": "horizon", "args": {"r": 1e30, "alt": 1, "h_max": 0})",
+         "r: 1.0000000150474662e+30 is out of range; allowed is 0 or a size of 1e-18 to 1e18.");
+  expect(R"("fn": "ray_sphere", "args": {"o": [0, 2305843009213693952, 0], "d": [0, 1, 0], "r": 1})",
+         "o: [0.0,2.305843009213694e+18,0.0] is out of range; allowed is 0 or a size of 1e-18 to 1e18.");
+}
+
+TEST(Protocol, DirectionsThatCannotBeAreSentences) {
+  const auto scatter = [](const char* angles) {
+    return answer_to(R"({"fn": "single_scatter", "args": {"alt": 10, "dist": 100, "mie_scattering": 1e-6, )" +
+                     std::string(angles) + "}}");
+  };
+  EXPECT_EQ(scatter(R"("mu": 0.6, "mu_s": 0.6, "nu": -0.5)")["error"],
+            "single_scatter: nu is -0.5, but between a ray of mu 0.6 and a sun of mu_s 0.6 it is "
+            "-0.28 to 1.");
+  for (const char* angles : {R"("mu": 1, "mu_s": 0.3, "nu": 0.35)", R"("mu": 0, "mu_s": 1, "nu": -0.01)",
+                             R"("mu": -0.6, "mu_s": 0.6, "nu": 0.29)"}) {
+    EXPECT_TRUE(scatter(angles).contains("error")) << angles;
+  }
+  // The ends themselves, rounded to single precision too.
+  for (const char* angles :
+       {R"("mu": 1, "mu_s": 0.3, "nu": 0.3)", R"("mu": 0.6, "mu_s": 0.6, "nu": -0.28)",
+        R"("mu": 0.60000002384, "mu_s": 0.60000002384, "nu": 1)", R"("mu": 1, "mu_s": 0.3, "nu": 0.3001)"}) {
+    EXPECT_TRUE(scatter(angles).contains("value")) << angles;
+  }
+  EXPECT_EQ(
+      error_of(R"({"fn": "transmittance", "args": {"alt": 100, "mu": -1}})"),
+      "transmittance: with mu -1 the ray from alt 100 meets the ground, 6360000 under it at its lowest; it has to "
+      "pass.");
+  EXPECT_TRUE(answer_to(R"({"fn": "transmittance", "args": {"alt": 0, "mu": -1e-4}})").contains("value"));
+}
+
 TEST(Protocol, WithoutAGpuSaysSo) {
   EXPECT_EQ(error_of(R"({"fn": "smooth_abs", "args": {"x": 1, "k": 1}, "precision": "gpu"})"), "no gpu");
 }
@@ -202,6 +304,46 @@ TEST(Reference, NoiseFromACameraIsTheNoiseAtThatPlace) {
       EXPECT_NEAR(there["grad"][i].get<double>(), from_camera["grad"][i].get<double>(), 1e-6) << kind;
     }
   }
+}
+
+// As near to where floats end as they come: nothing overflows on the way to an answer that a float holds.
+TEST(Reference, SinglePrecisionHoldsToTheEndsOfItsDomain) {
+  const auto value = [](const std::string& request) {
+    const Json answer = answer_to("{" + request + R"(, "precision": "f32"})");
+    EXPECT_TRUE(answer.contains("value")) << answer.dump() << " to " << request;
+    return answer["value"];
+  };
+  for (const auto& [sigma, dist] : std::vector<std::pair<double, double>>{{1e35, 1.0},
+                                                                          {1.0, 1e35},
+                                                                          {3.4e38, 1.0},
+                                                                          {3.4e38, 1e-38},
+                                                                          {1e-38, 3.4e38},
+                                                                          {3e34, 3e-35},
+                                                                          {2e37, 3e-36},
+                                                                          {3.4e38, 3.4e38}}) {
+    const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+    const double x = single(sigma) * single(dist);
+    const Json answer = value(R"("fn": "beer_lambert", "args": )" + Json{{"sigma", sigma}, {"dist", dist}}.dump());
+    EXPECT_NEAR(answer["T"].get<double>(), std::exp(-x), 5e-7 * std::exp(-x));
+    EXPECT_NEAR(answer["absorbed"].get<double>(), -std::expm1(-x), 5e-7);
+    EXPECT_NEAR(answer["mean"].get<double>(), -std::expm1(-x) / x, 5e-7 / std::max(1.0, x) + 1e-38);
+  }
+  EXPECT_EQ(answer_to(R"({"fn": "beer_lambert", "args": {"sigma": 1, "dist": 5e-324}})")["value"]["mean"], 1.0);
+  // Angles know no unit.
+  for (const char* size : {"1e-40", "1e-300", "1e30", "1e300"}) {
+    const std::string s = size;
+    const Json answer =
+        value(R"("fn": "arc_angle", "args": {"a": [)" + s + ", 0, 0], \"b\": [" + s + ", " + s + ", 0]}");
+    EXPECT_NEAR(answer["angle"].get<double>(), 0.25 * std::numbers::pi, 1e-7) << size;
+  }
+  const Json apart = value(R"("fn": "arc_angle", "args": {"a": [1e-30, 0, 0], "b": [1e30, 1e30, 0]})");
+  EXPECT_NEAR(apart["angle"].get<double>(), 0.25 * std::numbers::pi, 3e-7);
+  // A step through a cloud so thick that its depth is an infinity still shines by what it scatters against what it
+  // dims.
+  const Json thick = value(
+      R"("fn": "cloud_march", "args": {"density": [1e10], "step": 1e10, "E": 1e20, "S": 1e19, "phase": 0.5, "I_sun": 3})");
+  EXPECT_EQ(thick["T"], 0.0);
+  EXPECT_NEAR(thick["I"].get<double>(), 0.15, 1e-6);
 }
 
 // Each function with arguments that are all different, against its definition written out: an argument that took
