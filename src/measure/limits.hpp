@@ -34,14 +34,9 @@ struct Limit {
 // Each draws small pictures; all of them take some seconds on two cores without a GPU.
 std::vector<Limit> measure_limits(Renderer& renderer, Extent extent);
 
-// What must not change a picture, or not by more than a bound.
-struct Invariance {
-  std::string what;   // "all lengths times 2^20"
-  std::string error;  // what the measured number is
-  double measured = 0.0;
-  double bound = 0.0;  // measured must be at most this much
-  [[nodiscard]] bool holds() const { return measured <= bound; }
-};
-std::vector<Invariance> measure_invariances(Renderer& renderer, Extent extent);
+// Of these: what meshes and maps are too coarse for, what jitters under a moving camera, and how evenly time runs.
+std::vector<Limit> limits_of_detail(Renderer& renderer, Extent extent);
+std::vector<Limit> limits_of_stillness(Renderer& renderer, Extent extent);
+std::vector<Limit> limits_of_time(Renderer& renderer, Extent extent);
 
 }  // namespace terrella

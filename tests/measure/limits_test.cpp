@@ -7,6 +7,7 @@
 #include <string>
 
 #include "measure/extent.hpp"
+#include "measure/invariances.hpp"
 #include "measure/studio.hpp"
 
 namespace terrella {
