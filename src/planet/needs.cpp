@@ -43,8 +43,8 @@ class Decisions {
   std::vector<Decision>& list_;
 };
 
-// Of meshes that carry a relief. A mesh finer than level 6 is worth its triangles only to someone who asks for less than
-// a fifth of a pixel.
+// Of meshes that carry a relief. A mesh finer than level 6 is worth its triangles only to someone who asks for less
+// than a fifth of a pixel.
 int finest_relief_level(const Scene& scene) { return scene.quality.pixel_error < 0.2 ? 7 : 6; }
 
 // The coarsest icosphere that shows a sphere within an error (radii).
@@ -132,8 +132,9 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
   needs.water_level = needs.water == Water::waves ? finest_relief_level(scene) : sphere_level(allowed);
   decide.add("water.level", needs.water_level,
-             needs.water == Water::waves ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2"
-                                         : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
+             needs.water == Water::waves
+                 ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2"
+                 : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the
   // shore. Never so far that it nears the eye, which in the smallest pictures would not count as an error.
   needs.water_lift =

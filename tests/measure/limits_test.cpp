@@ -26,7 +26,7 @@ TEST(Limits, AreWhereTheProgramSaysThatTheyAre) {
     if (limit.ends()) ends.insert(limit.technique + ' ' + limit.path);
   }
   // Of each range that is told of, what lies beyond was seen to be wrong.
-  std::set<std::string> expected = {"ground terrain.frequency", "waves waves.speed"};
+  std::set<std::string> expected = {"ground terrain.frequency", "waves waves.length", "waves waves.speed"};
   if (test::extent != Extent::sample) {
     expected.insert({"clouds clouds.frequency", "ground terrain.height", "ripples camera.altitude", "sea water.level",
                      "waves camera.altitude"});
