@@ -17,7 +17,7 @@ Invariance scaled_by(Renderer& renderer, const char* preset, double factor, doub
   const std::vector<float> as_it_is = light_of(renderer, scene, small_view());
   const std::vector<float> scaled_up = light_of(renderer, scaled(scene, factor), small_view());
   return {text_of(preset, ", all lengths times ", factor), "largest difference of light",
-          largest_difference(as_it_is, scaled_up), bound};
+          largest_difference(as_it_is, scaled_up), bound, contrast_of(as_it_is)};
 }
 
 // A sphere of calm water under air, in which nothing has a place of its own.
@@ -43,14 +43,17 @@ Invariance turned_by(Renderer& renderer, double longitude, double latitude, doub
   const std::vector<float> as_it_is = light_of(renderer, scene, small_view());
   const std::vector<float> after = light_of(renderer, turned, small_view());
   return {text_of("sea under air, turned by ", longitude, " deg of longitude and ", latitude, " of latitude"),
-          "root of the mean square difference of light", mean_difference(as_it_is, after), bound};
+          "root of the mean square difference of light", mean_difference(as_it_is, after), bound,
+          contrast_of(as_it_is)};
 }
 
 // How far hills move where the camera comes so near that the mesh of the ground is made with finer triangles. These may
-// miss finer ones by 2.5 times quality.pixel_error (simplified, planet/icosphere_groups.hpp).
+// miss finer ones by 2.5 times quality.pixel_error (simplified, planet/icosphere_groups.hpp). Seen from the side:
+// straight below, hills rise towards the eye and not across the picture.
 Invariance pops_by(Renderer& renderer, const char* preset) {
   const View view = small_view();
   Scene near = bare_ground(preset), far = near;
+  near.camera.pitch = far.camera.pitch = -50.0;
   near.camera.altitude = 0.6;
   far.camera.altitude = 0.8;
   const auto tolerance = [&](const Scene& scene) {
@@ -67,9 +70,10 @@ Invariance pops_by(Renderer& renderer, const char* preset) {
     return renderer.read_light();
   };
   const std::vector<float> before = distances(far), after = distances(near);
+  const Jitter jump = jitter_between(before, after, view.width, view.height, 1, 1e-8);
   return {text_of(preset, ", as the camera comes nearer and the mesh finer"),
-          "that 99 of 100 pixels of hills jump less than, px",
-          jitter_between(before, after, view.width, view.height, 1, 1e-8).nearly_all, 2.5 * near.quality.pixel_error};
+          "that 99 of 100 pixels of hills jump less than, px", jump.nearly_all, 2.5 * near.quality.pixel_error,
+          jump.nearly_all};
 }
 
 // After a million whole periods of all that moves in it.
@@ -78,9 +82,9 @@ Invariance repeats_after(Renderer& renderer, const char* what, const Scene& scen
   const std::vector<float> first = light_of(renderer, scene, small_view());
   const std::vector<float> later = light_of(renderer, scene, small_view(periods * period));
   const std::vector<float> between = light_of(renderer, scene, small_view(0.4 * period));
-  const double apart = mean_difference(first, later);
+  const double apart = mean_difference(first, later), moved = mean_difference(first, between);
   return {text_of(what, ", after a million periods"), "difference of light, as a part of that after 0.4 periods",
-          apart / mean_difference(first, between), bound};
+          apart / moved, bound, moved};
 }
 
 std::vector<Invariance> repetitions(Renderer& renderer, double bound) {
@@ -97,22 +101,20 @@ std::vector<Invariance> repetitions(Renderer& renderer, double bound) {
           repeats_after(renderer, "a wave", waving, waving.waves.length / waving.waves.speed, bound)};
 }
 
-// How alike in size the changes from frame to frame are: the larger one of two, as a multiple of the other.
-Invariance moves_alike(Renderer& renderer, const char* preset, Channel channel, double bound) {
+}  // namespace
+
+Invariance moves_alike(Renderer& renderer, const std::string& name, const Scene& scene, Channel channel, double bound) {
+  constexpr int pictures = 8;  // far apart: one may show few clouds, the next one many
   const auto mean_change = [&](double from) {
     double sum = 0.0;
-    for (int i = 0; i < 8; ++i) {  // far apart: one picture may show few clouds, the next one many
-      sum += motion_at(renderer, cheap(preset), small_view(), from + 97.3 * i, channel).change;
-    }
-    return sum;
+    for (int i = 0; i < pictures; ++i) sum += motion_at(renderer, scene, small_view(), from + 97.3 * i, channel).change;
+    return sum / pictures;
   };
   const double first = mean_change(0.0), late = mean_change(1e9);
-  return {text_of(preset, ", after 1e9 s against the beginning"),
-          "change from frame to frame, the larger as a multiple of the smaller",
-          std::max(first, late) / std::max(1e-12, std::min(first, late)), bound};
+  const auto [less, more] = std::minmax(first, late);
+  return {text_of(name, ", after 1e9 s against the beginning"),
+          "change from frame to frame, the larger as a multiple of the smaller", more / less, bound, less};
 }
-
-}  // namespace
 
 std::vector<Invariance> measure_invariances(Renderer& renderer, Extent extent) {
   std::vector<Invariance> found = {scaled_by(renderer, "temperate", 1048576.0, 0.0)};
@@ -129,13 +131,13 @@ std::vector<Invariance> measure_invariances(Renderer& renderer, Extent extent) {
   found.push_back(turned_by(renderer, 72.0, 0.0, 1e-3));
   found.push_back(turned_by(renderer, 123.4, 0.0, 1e-3));
   found.push_back(turned_by(renderer, 0.0, 50.0, 1e-3));
-  // Measured: 0.99, 0.94 and 0.
-  for (const char* preset : {"moon", "alps", "mars"}) found.push_back(pops_by(renderer, preset));
+  // Measured: 1.43, 0.97 and 0.75. Of a planet as smooth as mars too few triangles change to tell.
+  for (const char* preset : {"moon", "alps", "desert"}) found.push_back(pops_by(renderer, preset));
   // Measured: 0, to the last bit.
   for (Invariance& repetition : repetitions(renderer, 1e-3)) found.push_back(std::move(repetition));
   // Measured: 1.03 and 1.001.
-  found.push_back(moves_alike(renderer, "temperate", Channel::color, 1.3));
-  found.push_back(moves_alike(renderer, "storm", Channel::normal, 1.3));
+  found.push_back(moves_alike(renderer, "temperate", cheap("temperate"), Channel::color, 1.3));
+  found.push_back(moves_alike(renderer, "storm", cheap("storm"), Channel::normal, 1.3));
   return found;
 }
 

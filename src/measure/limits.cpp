@@ -3,18 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace terrella {
 
 bool Limit::keeps_its_word() const { return worst_within() <= demand; }
 
 double Limit::worst_within() const {
-  double worst = 0.0;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  std::optional<double> worst;
   for (const LimitPoint& point : points) {
     if (point.warned) continue;
-    worst = std::isnan(point.error) ? std::numeric_limits<double>::infinity() : std::max(worst, point.error);
+    worst = std::max(worst.value_or(0.0), std::isnan(point.error) ? unknown : point.error);
   }
-  return worst;
+  return worst.value_or(unknown);
 }
 
 bool Limit::ends() const {

@@ -25,7 +25,8 @@ struct Limit {
 
   // No error above the demand goes unsaid.
   [[nodiscard]] bool keeps_its_word() const;
-  // The worst error where nothing is said.
+  // The worst error where nothing is said. Infinite where something is said of every point: then no range is known in
+  // which the technique holds.
   [[nodiscard]] double worst_within() const;
   // Whether something was said, and with reason: an error above the demand was found there.
   [[nodiscard]] bool ends() const;

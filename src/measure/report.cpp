@@ -110,9 +110,11 @@ std::string limits_html(const ExtremesReport& report) {
 }
 
 std::string invariances_html(const ExtremesReport& report) {
-  Table table({"what", "measured", "number", "at most"});
+  Table table({"what", "measured", "number", "at most", "of what could differ"});
   for (const Invariance& found : report.invariances) {
-    table.row({found.what, found.error, short_number(found.measured), short_number(found.bound)}, !found.holds());
+    table.row({found.what, found.error, short_number(found.measured), short_number(found.bound),
+               short_number(found.at_stake)},
+              !found.holds());
   }
   return table.html();
 }
@@ -174,8 +176,12 @@ std::string extremes_json(const ExtremesReport& report) {
   }
   json["invariances"] = Json::array();
   for (const Invariance& i : report.invariances) {
-    json["invariances"].push_back(
-        {{"what", i.what}, {"error", i.error}, {"measured", i.measured}, {"bound", i.bound}, {"holds", i.holds()}});
+    json["invariances"].push_back({{"what", i.what},
+                                   {"error", i.error},
+                                   {"measured", i.measured},
+                                   {"bound", i.bound},
+                                   {"at_stake", i.at_stake},
+                                   {"holds", i.holds()}});
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

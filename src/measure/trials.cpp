@@ -60,13 +60,17 @@ std::vector<float> light_of(Renderer& renderer, const Scene& scene, const View& 
 }
 
 double contrast_of(Pixels light) {
-  double sum = 0.0, squares = 0.0;
-  for (const float value : light) {
-    sum += double{value};
-    squares += double{value} * double{value};
+  double variance = 0.0;
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    double sum = 0.0, squares = 0.0;
+    for (std::size_t i = channel; i < light.size(); i += 4) {
+      sum += double{light[i]};
+      squares += double{light[i]} * double{light[i]};
+    }
+    const double count = static_cast<double>(light.size()) / 4.0;
+    variance += std::max(0.0, squares / count - sum * sum / count / count) / 4.0;
   }
-  const auto count = static_cast<double>(light.size());
-  return std::sqrt(std::max(0.0, squares / count - sum * sum / count / count));
+  return std::sqrt(variance);
 }
 
 double mean_difference(Pixels a, Pixels b) { return std::pow(10.0, -0.05 * light_psnr(a, b)); }

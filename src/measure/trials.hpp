@@ -27,7 +27,8 @@ Scene cheap(const char* preset);
 
 std::vector<float> light_of(Renderer& renderer, const Scene& scene, const View& view);
 
-// How much there is to see in a picture: the standard deviation of its values.
+// How much there is to see in a picture: by how much its pixels differ from their mean, root of the mean square over
+// all four channels, as mean_difference is.
 double contrast_of(Pixels light);
 
 // Root of the mean square difference of two pictures of one size.

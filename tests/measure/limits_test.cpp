@@ -7,7 +7,6 @@
 #include <string>
 
 #include "measure/extent.hpp"
-#include "measure/invariances.hpp"
 #include "measure/studio.hpp"
 
 namespace terrella {
@@ -32,13 +31,6 @@ TEST(Limits, AreWhereTheProgramSaysThatTheyAre) {
                      "waves camera.altitude"});
   }
   EXPECT_EQ(ends, expected);
-}
-
-TEST(Invariances, Hold) {
-  test::Studio studio;
-  for (const Invariance& found : measure_invariances(studio.renderer, test::extent)) {
-    EXPECT_TRUE(found.holds()) << found.what << ": " << found.error << ' ' << found.measured << " > " << found.bound;
-  }
 }
 
 }  // namespace
