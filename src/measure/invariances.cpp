@@ -4,9 +4,11 @@
 #include <numbers>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "measure/stability.hpp"
 #include "measure/trials.hpp"
+#include "scene/parameters.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {

@@ -9,6 +9,7 @@
 #include "measure/stability.hpp"
 #include "measure/trials.hpp"
 #include "scene/choices.hpp"
+#include "scene/parameters.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {

@@ -1,7 +1,6 @@
 #include "measure/report.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
@@ -28,12 +27,7 @@ const LimitPoint* first_beyond(const Limit& limit) {
   return nullptr;
 }
 
-std::string short_number(double value) {
-  if (std::isinf(value)) return "lost";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string short_number(double value) { return std::isinf(value) ? "lost" : printed_number(value, 3); }
 
 std::string escaped(const std::string& text) {
   std::string safe;

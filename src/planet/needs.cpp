@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
+#include "base/text.hpp"
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
 #include "planet/lights.hpp"
@@ -24,11 +24,7 @@ namespace {
 // Places in the choice lists of params.inc.
 enum : int { model_none = 0, water_calm = 2, water_waves = 3 };
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+std::string number(double value) { return printed_number(value, 4); }
 
 class Decisions {
  public:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -40,11 +39,7 @@ constexpr double most_swim = 0.1;  // pixels
 // Phases (rad) larger than this are known to less than a hundredth, in double precision.
 constexpr double most_phase = 1e13;
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string number(double value) { return printed_number(value, 3); }
 
 void judge_camera(const Scene& scene, const Pose& pose, std::vector<Issue>& issues) {
   if (!pose.raised) return;

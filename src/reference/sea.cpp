@@ -10,7 +10,6 @@ namespace terrella::reference {
 namespace {
 
 constexpr int water_calm = 2;  // place in the choice list of params.inc
-constexpr double bottomless = 1.0;
 
 }  // namespace
 

@@ -27,10 +27,6 @@ constexpr double ring_footprint = 1e-6;
 
 glm::dvec3 behind(const f64::Veil& veil, const glm::dvec3& light) { return veil.light + (1.0 - veil.opacity) * light; }
 
-// What is seen of the bottom of a sea without ground, and where a ray leaves the water again: the water alone. Lengths
-// in radii, as far as any sea is deep.
-constexpr double bottomless = 1.0;
-
 }  // namespace
 
 Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)

@@ -137,11 +137,7 @@ TEST(Validity, IsTheSameOnAPlanetOfAnySize) {
   for (const Case& entry : cases) {
     Scene scene;
     entry.change(scene);
-    const std::size_t told = sentences(scene).size();
-    for (const Parameter& parameter : parameters()) {
-      if (parameter.unit == "m" || parameter.unit == "m/s") *std::get<double*>(parameter.field(scene)) *= 1e4;
-    }
-    EXPECT_EQ(sentences(scene).size(), told) << entry.sentence;
+    EXPECT_EQ(sentences(scaled(scene, 1e4)).size(), sentences(scene).size()) << entry.sentence;
   }
 }
 
