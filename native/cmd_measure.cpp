@@ -98,7 +98,8 @@ void add_measure_command(CLI::App& program, int& exit_code) {
   command->add_option("--out", options->out, "The folder for report.json and index.html")->required();
   command->add_flag("--extremes", options->extremes,
                     "Drive the renderer to the ends of every parameter, view and size");
-  command->add_flag("--quick", options->quick, "Small pictures and coarse maps only: under a minute instead of some");
+  command->add_flag("--quick", options->quick,
+                    "Small pictures and coarse maps only: about a minute instead of three to five");
   command->callback([options, &exit_code] {
     const Issues issues = understand(*options);
     if (!issues.empty()) {

@@ -15,12 +15,6 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-std::string print_double(int digits, double value) {
-  std::array<char, 40> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
-  return buffer.data();
-}
-
 // printf's exponent has a sign and two digits or more: 1e+08 becomes 1e8, 1e-06 becomes 1e-6.
 std::string without_exponent_padding(const std::string& printed) {
   const std::size_t e = printed.find('e');
@@ -70,12 +64,18 @@ bool is_json_number(std::string_view text) {
 
 }  // namespace
 
+std::string printed_number(double value, int digits) {
+  std::array<char, 40> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
+  return buffer.data();
+}
+
 std::string format_number(double value) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value < 0 ? "-inf" : "inf";
   constexpr int kEnoughDigits = 17;  // always reads back as the same double
   std::string printed;
   for (int digits = 15; digits <= kEnoughDigits; ++digits) {
-    printed = print_double(digits, value);
+    printed = printed_number(value, digits);
     if (std::strtod(printed.c_str(), nullptr) == value) break;
   }
   return with_zeros_counted(without_exponent_padding(printed));

@@ -13,6 +13,9 @@ namespace terrella {
 // "inf", "-inf" and "nan", which are not JSON.
 std::string format_number(double value);
 
+// At most so many significant digits, as printf has it: 0.123, 1e+08, inf.
+std::string printed_number(double value, int digits);
+
 // Reads a number as JSON writes it, and nothing else: no spaces, no leading '+', no hexadecimal, no "nan". A number too
 // large for a double gives an infinity, so that a range check can name it.
 std::optional<double> parse_number(std::string_view text);

@@ -239,13 +239,6 @@ std::vector<Case> extreme_cases(Extent extent) {
   return extent == Extent::sample ? thinned(cases, 16) : cases;
 }
 
-Scene scaled(Scene scene, double factor) {
-  for (const Parameter& parameter : parameters()) {
-    if (parameter.unit == "m" || parameter.unit == "m/s") *std::get<double*>(parameter.field(scene)) *= factor;
-  }
-  return scene;
-}
-
 void make_cheap(Scene& scene) {
   scene.quality.ground_texels = 64;
   scene.quality.cloud_texels = 32;

@@ -27,9 +27,6 @@ enum class Extent {
 // all of them; radii, altitudes, places, times, fields of view and sizes of pictures; every preset. Deterministic.
 std::vector<Case> extreme_cases(Extent extent);
 
-// The scene with every length and every speed (what has the units m and m/s) multiplied.
-Scene scaled(Scene scene, double factor);
-
 // Maps and meshes as coarse as they can be, so that a case takes milliseconds.
 void make_cheap(Scene& scene);
 

@@ -39,16 +39,10 @@ std::int64_t lying_normals(Pixels normals) {
   return count;
 }
 
-// Single samples at places that the reference shows with all its layers and the renderer with those that pixels can
-// show. A picture that is black is off by all of the reference's brightness, one of another planet by about as much.
-constexpr double most_of_brightness = 0.5, most_light = 0.02, most_silhouette = 0.05;
-
 std::optional<BesideReference> compared(Renderer& renderer, Case entry) {
   constexpr int fewest_pixels = 16;
   if (std::min(entry.view.width, entry.view.height) < fewest_pixels) return std::nullopt;
-  entry.scene.quality.pixel_error = std::min(entry.scene.quality.pixel_error, 0.5);
-  entry.scene.quality.ground_texels = std::max(entry.scene.quality.ground_texels, 256);
-  entry.scene.quality.cloud_texels = std::max(entry.scene.quality.cloud_texels, 128);
+  make_comparable(entry.scene);
   const std::vector<float> light = draw(renderer, entry, Channel::color);
   if (!beyond_validity(entry.scene, entry.view, renderer.pose(), renderer.needs()).empty()) return std::nullopt;
   return beside_reference(entry.scene, entry.view, light, draw(renderer, entry, Channel::distance));
@@ -67,9 +61,9 @@ std::string Findings::text() const {
   if (!repeats) say("Drawn again, the picture is another one.");
   if (gl_error != 0) say(text_of("OpenGL tells of error ", gl_error, "."));
   for (const std::string& sentence : over_cost) say(sentence);
-  if (reference && reference->light > most_light + most_of_brightness * reference->brightness)
+  if (reference && !reference->same_light())
     say(text_of("Light is off the reference's by ", reference->light, " in the mean."));
-  if (reference && reference->silhouette > most_silhouette)
+  if (reference && !reference->same_silhouette())
     say(text_of("Only one of picture and reference shows the planet in ", 100.0 * reference->silhouette,
                 " % of places."));
   return text;

@@ -28,10 +28,10 @@ struct Findings {
   [[nodiscard]] std::string text() const;
 };
 
-// Needs a context that can draw to 32 bit floats: without them distances and light are rounded too coarsely to judge.
 // Which of the cases, by number, are compared with the reference: some of every group.
 inline bool compared_with_reference(std::size_t number) { return number % 7 == 0; }
 
+// Needs a context that can draw to 32 bit floats: without them distances and light are rounded too coarsely to judge.
 // beside: draws it once more, as finely as need be, and compares it with the reference, unless the picture is of a few
 // pixels or beyond the range in which techniques hold.
 Findings examine(Renderer& renderer, const Case& entry, bool beside);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measure/examine.hpp"
+#include "measure/invariances.hpp"
 #include "measure/limits.hpp"
 
 namespace terrella {

@@ -25,7 +25,8 @@ struct Limit {
 
   // No error above the demand goes unsaid.
   [[nodiscard]] bool keeps_its_word() const;
-  // The worst error where nothing is said.
+  // The worst error where nothing is said. Infinite where something is said of every point: then no range is known in
+  // which the technique holds.
   [[nodiscard]] double worst_within() const;
   // Whether something was said, and with reason: an error above the demand was found there.
   [[nodiscard]] bool ends() const;
@@ -34,14 +35,9 @@ struct Limit {
 // Each draws small pictures; all of them take some seconds on two cores without a GPU.
 std::vector<Limit> measure_limits(Renderer& renderer, Extent extent);
 
-// What must not change a picture, or not by more than a bound.
-struct Invariance {
-  std::string what;   // "all lengths times 2^20"
-  std::string error;  // what the measured number is
-  double measured = 0.0;
-  double bound = 0.0;  // measured must be at most this much
-  [[nodiscard]] bool holds() const { return measured <= bound; }
-};
-std::vector<Invariance> measure_invariances(Renderer& renderer, Extent extent);
+// Of these: what meshes and maps are too coarse for, what jitters under a moving camera, and how evenly time runs.
+std::vector<Limit> limits_of_detail(Renderer& renderer, Extent extent);
+std::vector<Limit> limits_of_stillness(Renderer& renderer, Extent extent);
+std::vector<Limit> limits_of_time(Renderer& renderer, Extent extent);
 
 }  // namespace terrella

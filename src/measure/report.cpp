@@ -1,7 +1,7 @@
 #include "measure/report.hpp"
 
 #include <cmath>
-#include <cstdio>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -28,12 +28,7 @@ const LimitPoint* first_beyond(const Limit& limit) {
   return nullptr;
 }
 
-std::string short_number(double value) {
-  if (std::isinf(value)) return "lost";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string short_number(double value) { return std::isinf(value) ? "lost" : printed_number(value, 3); }
 
 std::string escaped(const std::string& text) {
   std::string safe;
@@ -51,19 +46,23 @@ std::string escaped(const std::string& text) {
 
 class Table {
  public:
-  explicit Table(std::initializer_list<const char*> heads) {
+  explicit Table(std::initializer_list<const char*> heads) : heads_(heads) {
     html_ = "<table><thead><tr>";
     for (const char* head : heads) html_ += text_of("<th>", head, "</th>");
     html_ += "</tr></thead><tbody>\n";
   }
   void row(std::initializer_list<std::string> cells, bool wrong) {
     html_ += wrong ? "<tr class=wrong>" : "<tr>";
-    for (const std::string& cell : cells) html_ += text_of("<td>", escaped(cell), "</td>");
+    std::size_t column = 0;
+    // Its head again, for pages so narrow that a row is a list.
+    for (const std::string& cell : cells)
+      html_ += text_of("<td data-head=\"", heads_.at(column++), "\">", escaped(cell), "</td>");
     html_ += "</tr>\n";
   }
   [[nodiscard]] std::string html() const { return html_ + "</tbody></table>\n"; }
 
  private:
+  std::vector<const char*> heads_;
   std::string html_;
 };
 
@@ -110,9 +109,11 @@ std::string limits_html(const ExtremesReport& report) {
 }
 
 std::string invariances_html(const ExtremesReport& report) {
-  Table table({"what", "measured", "number", "at most"});
+  Table table({"what", "measured", "number", "at most", "of what could differ"});
   for (const Invariance& found : report.invariances) {
-    table.row({found.what, found.error, short_number(found.measured), short_number(found.bound)}, !found.holds());
+    table.row({found.what, found.error, short_number(found.measured), short_number(found.bound),
+               short_number(found.at_stake)},
+              !found.holds());
   }
   return table.html();
 }
@@ -126,6 +127,12 @@ table { border-collapse: collapse; width: 100%; margin: .5rem 0 2rem; }
 th, td { text-align: left; vertical-align: top; padding: .3rem .6rem; border-bottom: 1px solid #d5dbe3; overflow-wrap: anywhere; }
 th { background: #eef2f7; overflow-wrap: normal; }
 .wrong td { background: #fdeaea; }
+@media (max-width: 50rem) {
+  thead { display: none; }
+  tr { display: block; padding: .4rem 0; border-bottom: 1px solid #d5dbe3; }
+  td { display: grid; grid-template-columns: 9rem 1fr; padding: .1rem 0; border: 0; }
+  td::before { content: attr(data-head); color: #5a6675; }
+}
 </style></head><body>
 )";
 
@@ -174,8 +181,12 @@ std::string extremes_json(const ExtremesReport& report) {
   }
   json["invariances"] = Json::array();
   for (const Invariance& i : report.invariances) {
-    json["invariances"].push_back(
-        {{"what", i.what}, {"error", i.error}, {"measured", i.measured}, {"bound", i.bound}, {"holds", i.holds()}});
+    json["invariances"].push_back({{"what", i.what},
+                                   {"error", i.error},
+                                   {"measured", i.measured},
+                                   {"bound", i.bound},
+                                   {"at_stake", i.at_stake},
+                                   {"holds", i.holds()}});
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -194,8 +205,9 @@ std::string extremes_page(const ExtremesReport& report) {
   page +=
       "<h2>Cases</h2>\n<p>Each is drawn four times; every pixel must be finite, the planet without a hole, normals of "
       "unit length, OpenGL without an error, the picture the same when drawn again, and the work within what the needs "
-      "promise. One in seven is compared with the reference, at 48 places, where the techniques are in their "
-      "range.</p>\n" +
+      "promise. One in seven is drawn with finer meshes and maps and compared with the reference, at 48 places, where "
+      "the "
+      "techniques are in their range.</p>\n" +
       groups_html(report);
   return page + "</body></html>\n";
 }

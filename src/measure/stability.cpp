@@ -165,17 +165,6 @@ Motion motion_at(Renderer& renderer, const Scene& scene, View view, double secon
   return motion_between(pictures[0], pictures[1], pictures[2]);
 }
 
-double largest_difference(Pixels a, Pixels b) {
-  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double apart = std::abs(double{a[i]} - double{b[i]});
-    if (!std::isfinite(apart)) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, apart);
-  }
-  return largest;
-}
-
 double light_psnr(Pixels a, Pixels b) { return -10.0 * std::log10(mean_square_difference(a, b)); }
 
 }  // namespace terrella

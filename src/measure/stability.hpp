@@ -36,9 +36,6 @@ Motion motion_between(Pixels first, Pixels second, Pixels third);
 // Of Channel::color, or of the normals, which show the waves alone.
 Motion motion_at(Renderer& renderer, const Scene& scene, View view, double seconds, Channel channel);
 
-// Largest difference between any two numbers of two pictures; infinite where their sizes differ or one is not a number.
-double largest_difference(Pixels a, Pixels b);
-
 // Peak signal to noise of b against a, dB; the peak is 1. Infinite where they are alike.
 double light_psnr(Pixels a, Pixels b);
 

@@ -6,7 +6,7 @@
 namespace terrella {
 void SunDisc::draw_disc(const Frame& frame) {
   if (frame.scene.sun.size > 0.0)
-    draw(frame, seen_sun_radius(frame.scene) + 2.0 * frame.pose.pixel_angle, f64::disc_brightness, 0.0);
+    draw(frame, seen_sun_radius(frame.scene) + 2.0 * pixel_at_sun(frame.scene, frame.pose), f64::disc_brightness, 0.0);
 }
 
 void SunDisc::draw_glare(const Frame& frame) {
@@ -20,6 +20,7 @@ void SunDisc::draw(const Frame& frame, double reach, double disc, double glare) 
   program_->use();
   program_->set("reach", static_cast<float>(reach));
   program_->set("radius", static_cast<float>(seen_sun_radius(frame.scene)));
+  program_->set("pixel", static_cast<float>(pixel_at_sun(frame.scene, frame.pose)));
   program_->set("disc", static_cast<float>(disc));
   program_->set("glare", static_cast<float>(glare));
   strip_.draw(4);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
+#include "base/text.hpp"
 #include "formulas/formulas.hpp"
 #include "planet/icosphere_groups.hpp"
 #include "planet/lights.hpp"
@@ -24,11 +24,7 @@ namespace {
 // Places in the choice lists of params.inc.
 enum : int { model_none = 0, water_calm = 2, water_waves = 3 };
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+std::string number(double value) { return printed_number(value, 4); }
 
 class Decisions {
  public:
@@ -42,6 +38,10 @@ class Decisions {
  private:
   std::vector<Decision>& list_;
 };
+
+// Of meshes that carry a relief. A mesh finer than level 6 is worth its triangles only to someone who asks for less
+// than a fifth of a pixel.
+int finest_relief_level(const Scene& scene) { return scene.quality.pixel_error < 0.2 ? 7 : 6; }
 
 // The coarsest icosphere that shows a sphere within an error (radii).
 int sphere_level(double allowed) {
@@ -126,10 +126,11 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
                sea.held ? "held where the surface would fold over" : "as asked; the surface does not fold");
   }
   const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
-  needs.water_level = needs.water == Water::waves ? 6 : sphere_level(allowed);
+  needs.water_level = needs.water == Water::waves ? finest_relief_level(scene) : sphere_level(allowed);
   decide.add("water.level", needs.water_level,
-             needs.water == Water::waves ? "fine enough to carry waves"
-                                         : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
+             needs.water == Water::waves
+                 ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2"
+                 : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the
   // shore. Never so far that it nears the eye, which in the smallest pictures would not count as an error.
   needs.water_lift =
@@ -265,7 +266,7 @@ int ground_level(const Scene& scene) {
   const double pixel = altitude * 2.0 * std::tan(scene.camera.fov * 0.00872664626) / 720.0;
   const double allowed = scene.quality.pixel_error * pixel;
   const double height = scene.terrain.height / scene.planet.radius;
-  const int finest = scene.quality.pixel_error < 0.2 ? 7 : 6;
+  const int finest = finest_relief_level(scene);
   for (int level = group_level; level < finest; ++level) {
     const double edge = icosphere_edge(level);
     const double missing = scene.terrain.octaves > 0 ? height * edge * scene.terrain.frequency : 0.0;

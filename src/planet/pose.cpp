@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "formulas/formulas.hpp"
+#include "planet/materials.hpp"
 #include "planet/needs.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
@@ -19,14 +20,20 @@ namespace terrella {
 namespace {
 
 // Depths count along the middle of the picture: what lies at its edge has less of it than distance.
-void set_depth_range(Pose& pose, const View& view, double top, double rings) {
+void set_depth_range(Pose& pose, const View& view, const Scene& scene) {
+  const double top = top_radius(scene), rings = rings_radius(scene);
   const double distance = glm::length(pose.eye), outermost = std::max(top, rings);
   const auto to_horizon = [](double radius) { return f64::horizon_distance(1.0, std::max(radius - 1.0, 0.0)); };
   pose.far = 1.001 * (to_horizon(distance) + to_horizon(top)) + 2.0 * pose.clearance;
   if (rings > 0.0) pose.far = std::max(pose.far, 1.001 * (distance + rings));
   const double at_edge = std::cos(picture_half_angle(pose, view)), ahead = -glm::dot(pose.eye, pose.forward);
-  // A part of the clearance to stay clear of hills beside the eye; far away, the planet's nearest point.
+  // A part of the clearance to stay clear of hills beside the eye, and what is left of it over or under the clouds, but
+  // no less than depths can bear where the eye passes through them; far away, the planet's nearest point.
   pose.near = 0.3 * std::min(1.0, at_edge / 0.7) * pose.clearance;
+  if (has_clouds(scene)) {
+    const double to_clouds = 0.9 * at_edge * std::abs(distance - cloud_radius(scene));
+    pose.near = std::min(pose.near, std::max(to_clouds, 0.03 * pose.near));
+  }
   pose.near = std::max({pose.near, 0.9 * at_edge * (distance - outermost), 0.9 * (ahead - outermost)});
   pose.near = std::min(pose.near, 0.5 * pose.far);
 }
@@ -85,7 +92,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.up = glm::cross(pose.right, pose.forward);
   pose.tan_half_fov = view.field * std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
-  set_depth_range(pose, view, top_radius(scene), rings_radius(scene));
+  set_depth_range(pose, view, scene);
   return pose;
 }
 

@@ -18,6 +18,12 @@ glm::dvec3 sun_of(const Scene& scene) { return direction_of(scene.sun.latitude, 
 
 double seen_sun_radius(const Scene& scene) { return std::max(std::tan(0.5 * glm::radians(scene.sun.size)), 0.004); }
 
+double pixel_at_sun(const Scene& scene, const Pose& pose) {
+  constexpr double least = 1e-3;  // of one in the middle
+  const double aside = std::max(glm::dot(pose.forward, sun_of(scene)), 0.0);
+  return pose.pixel_angle * std::max(aside * aside, least);
+}
+
 double free_part_of_sun(const Scene& scene, const Pose& pose, double solid) {
   const double distance = glm::length(pose.eye);
   if (solid <= 0.0 || distance <= 0.0) return 1.0;

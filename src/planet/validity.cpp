@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -11,6 +11,7 @@
 #include "planet/icosphere.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
+#include "planet/waves.hpp"
 
 namespace terrella {
 namespace {
@@ -20,9 +21,13 @@ namespace {
 constexpr double most_terrain_height = 3.0;
 constexpr double most_water_level = 100.0;
 
-// Cells on an edge of the mesh. With a quarter of one, triangles miss a seventh of the relief of hills; with half of
-// one, all of it.
+// Cells of noise, or waves, on an edge of the mesh.
 constexpr double most_cells_on_edge = 0.25;
+
+// Pixels by which waves may be missed, root of the mean square, as a multiple of quality.pixel_error; as much as
+// triangles of the ground may miss finer ones by. Then a picture is 28 dB from that of a mesh twice as fine (measured
+// on storm without its ground); beyond, crests lie elsewhere.
+constexpr double waves_missed = 2.5;
 
 // Cells on a texel of the map of the clouds: with half of one, nothing of them is left.
 constexpr double most_cells_on_texel = 0.3;
@@ -34,11 +39,7 @@ constexpr double most_swim = 0.1;  // pixels
 // Phases (rad) larger than this are known to less than a hundredth, in double precision.
 constexpr double most_phase = 1e13;
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string number(double value) { return printed_number(value, 3); }
 
 void judge_camera(const Scene& scene, const Pose& pose, std::vector<Issue>& issues) {
   if (!pose.raised) return;
@@ -63,14 +64,19 @@ void judge_heights(const Scene& scene, const Needs& needs, std::vector<Issue>& i
   }
 }
 
+// The part of a relief that triangles miss. Measured, of hills and of waves alike: a seventh with a quarter of a cell
+// on an edge, 0.4 with a third, all with a half.
+double missed_part(double cells_on_edge) {
+  const double beyond = (cells_on_edge - most_cells_on_edge) / most_cells_on_edge;
+  return std::clamp((1.0 + 6.0 * beyond) / 7.0, 0.0, 1.0);
+}
+
 void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
   const auto& terrain = scene.terrain;
   const bool relief = needs.ground != Ground::none && terrain.octaves > 0;
   const double may_be_missed = scene.quality.pixel_error * pixel_of_height(pose);
   const double edge = icosphere_edge(needs.ground_level), most = most_cells_on_edge / edge;
-  // Measured: a seventh of the relief with a quarter of a cell on an edge, 0.4 of it with a third, all with a half.
-  const double beyond = (terrain.frequency * edge - most_cells_on_edge) / most_cells_on_edge;
-  const double missed = std::clamp((1.0 + 6.0 * beyond) / 7.0, 0.0, 1.0);
+  const double missed = missed_part(terrain.frequency * edge);
   const bool shows = missed * terrain.height / scene.planet.radius > may_be_missed;
   if (!relief || !shows || terrain.frequency <= most) return;
   issues.push_back(
@@ -89,6 +95,23 @@ void judge_clouds(const Scene& scene, const Pose& pose, const Needs& needs, std:
                     text_of(number(scene.clouds.frequency), " cells in a radius are more than the map of the clouds ",
                             "can hold; it does up to ", number(most), " with quality.cloud_texels ", needs.cloud_texels,
                             ", finer clouds fade away.")});
+}
+
+void judge_waves(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
+  if (needs.water != Water::waves) return;
+  const double edge = icosphere_edge(needs.water_level), least = edge / most_cells_on_edge;
+  double shortest = std::numeric_limits<double>::infinity(), missed_squares = 0.0;
+  for (const f64::Wave& wave : make_sea(scene, 0.0).waves) {
+    const double length = 2.0 * std::numbers::pi / wave.wavenumber;
+    shortest = std::min(shortest, length);
+    missed_squares += 0.5 * std::pow(missed_part(edge / length) * wave.amplitude, 2);
+  }
+  const bool shows = std::sqrt(missed_squares) > waves_missed * scene.quality.pixel_error * pixel_of_height(pose);
+  if (!shows || shortest >= least) return;
+  const double radius = scene.planet.radius;
+  issues.push_back({"waves.length", text_of("the shortest of the waves have ", number(shortest * radius),
+                                            " m, which is less than the mesh of the sea can raise; it does from ",
+                                            number(least * radius), " m on, shorter ones are flat and only shaded.")});
 }
 
 void judge_water(const Scene& scene, const View& view, const Pose& pose, const Needs& needs,
@@ -123,6 +146,7 @@ std::vector<Issue> beyond_validity(const Scene& scene, const View& view, const P
   judge_heights(scene, needs, issues);
   judge_ground(scene, pose, needs, issues);
   judge_clouds(scene, pose, needs, issues);
+  judge_waves(scene, pose, needs, issues);
   judge_water(scene, view, pose, needs, issues);
   return issues;
 }

@@ -1,13 +1,12 @@
 #include "probe/probe.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 
 #include "base/issues.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "probe/arguments.hpp"
 #include "probe/evaluate.hpp"
@@ -74,14 +73,6 @@ std::string understand_precision(const Json& request, Request& understood) {
                  did_you_mean(nearest_name(wanted, precisions)));
 }
 
-bool all_finite(std::span<const double> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-}
-
-bool all_finite(std::span<const float> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
-}
-
 std::string understand_args(const Json& request, Request& understood) {
   const auto args = request.find("args");
   if (args == request.end()) return "args: the arguments are missing; they are an object.";
@@ -118,12 +109,6 @@ Request understand(const std::string& text) {
   return understood;
 }
 
-std::string printed(double value, int digits) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return text.data();
-}
-
 std::vector<Output> outputs_of(const Function& function, const Json& args, std::span<const double> answers) {
   return function.shape ? function.shape(args, answers) : function.outputs;
 }
@@ -143,10 +128,10 @@ std::string answered(const Request& request, std::span<const double> answers) {
     if (output.null) {
       value += "null";
     } else if (output.count == 0) {
-      value += printed(answers[output.first], digits);
+      value += printed_number(answers[output.first], digits);
     } else {
       for (std::size_t i = 0; i < output.count; ++i) {
-        value += text_of(i == 0 ? "[" : ",", printed(answers[output.first + i], digits));
+        value += text_of(i == 0 ? "[" : ",", printed_number(answers[output.first + i], digits));
       }
       value += "]";
     }
@@ -278,7 +263,7 @@ std::vector<Accuracy> fuzz(int n, unsigned seed, Gpu* gpu) {
 
 namespace {
 
-std::string part_in_words(double part) { return part < 0.0 ? "no GPU" : printed(part, 2); }
+std::string part_in_words(double part) { return part < 0.0 ? "no GPU" : printed_number(part, 2); }
 
 }  // namespace
 

@@ -10,7 +10,6 @@ namespace terrella::reference {
 namespace {
 
 constexpr int water_calm = 2;  // place in the choice list of params.inc
-constexpr double bottomless = 1.0;
 
 // Of a slope or a stretch, in wavenumbers of its wave: one that fades around its origin changes by half as much again.
 constexpr double fastest_change = 1.5;

@@ -10,6 +10,9 @@
 
 namespace terrella::reference {
 
+// Depth of a sea without a ground, radii: of which nothing is seen but the water.
+inline constexpr double bottomless = 1.0;
+
 // Where the water of a place has gone.
 struct WaterAt {
   glm::dvec3 still;  // direction (unit) in which it would be without waves

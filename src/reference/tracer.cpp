@@ -27,10 +27,6 @@ constexpr double ring_footprint = 1e-6;
 
 glm::dvec3 behind(const f64::Veil& veil, const glm::dvec3& light) { return veil.light + (1.0 - veil.opacity) * light; }
 
-// What is seen of the bottom of a sea without ground, and where a ray leaves the water again: the water alone. Lengths
-// in radii, as far as any sea is deep.
-constexpr double bottomless = 1.0;
-
 }  // namespace
 
 Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
@@ -49,6 +45,7 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
   if (has_ground(scene)) ground_.emplace(scene, left_out.ground);
   if (has_water(scene)) sea_.emplace(scene, view.seconds, ground_ ? &*ground_ : nullptr);
   if (has_clouds(scene)) clouds_.emplace(scene, view.seconds, left_out.clouds);
+  sun_pixel_ = pixel_at_sun(scene, pose_);
   free_sun_ = free_part_of_sun(scene, pose_, ground_ || sea_ ? 1.0 : 0.0);
 }
 
@@ -150,7 +147,7 @@ glm::dvec3 Tracer::light_of_sky(const Ray& ray) const {
   if (scene_.sun.size > 0.0) {
     const double away = f64::tangent_from_sun(ray.direction, light_.sun);
     light += f64::sunlight_at_eye(light_) *
-             (f64::disc_brightness * f64::disc_of_sun(away, seen_sun_radius(scene_), pose_.pixel_angle));
+             (f64::disc_brightness * f64::disc_of_sun(away, seen_sun_radius(scene_), sun_pixel_));
   }
   return light;
 }

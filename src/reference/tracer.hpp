@@ -84,6 +84,7 @@ class Tracer {
   double piece_;  // of a ray that is not looked into, per distance: a part of a pixel
   double water_level_;
   double top_radius_;  // on which the rings' shadow is drawn
+  double sun_pixel_;   // size of a pixel where the sun stands, rad
   double free_sun_;    // part of the sun's disc that the planet leaves free
 };
 

@@ -80,6 +80,13 @@ std::span<const Parameter> parameters() {
 
 std::span<const Group> groups() { return kGroups; }
 
+Scene scaled(Scene scene, double factor) {
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.unit == "m" || parameter.unit == "m/s") *std::get<double*>(parameter.field(scene)) *= factor;
+  }
+  return scene;
+}
+
 const Parameter* find_parameter(std::string_view path) {
   static const std::unordered_map<std::string_view, const Parameter*> by_path = index_by_path();
   const auto found = by_path.find(path);

@@ -53,6 +53,10 @@ struct Group {
 std::span<const Parameter> parameters();
 std::span<const Group> groups();
 
+// The scene with every length and every speed (what has the units m and m/s) multiplied: the same, on a planet of
+// another size.
+Scene scaled(Scene scene, double factor);
+
 // By "group.name"; null if there is none.
 const Parameter* find_parameter(std::string_view path);
 const Group* find_group(std::string_view name);

@@ -271,6 +271,15 @@ const Case refined[] = {
        return scene;
      },
      34.0, 0.025, 0.0005, 0.0066, 0.6},
+    {"waves_from_low",  // too short for the mesh that pictures have by default
+     [] {
+       Scene scene = seen_from(bare_ground(), 0.1, -20.0);
+       scene.water.model = 3;
+       scene.terrain.model = 0;
+       scene.waves.count = 8;
+       return scene;
+     },
+     51.8, 0.012, 0.0008, 0.0132, 0.27},
     {"clouds_and_air",
      [] {
        Scene scene = bare_ground();

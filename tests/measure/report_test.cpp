@@ -15,7 +15,7 @@ ExtremesReport sample() {
   report.renderer = "a <driver> & more";
   report.groups = {{"core", "single", 12, 0, 345, 2, 0.05, 67.0}};
   report.limits = {{"sea", "water.level", "m", "px", 0.01, {{1.0, 0.001, false}, {1e4, 0.15, true}}}};
-  report.invariances = {{"all lengths times 2", "difference", 0.0, 0.0}};
+  report.invariances = {{"all lengths times 2", "difference", 0.0, 0.0, 0.3}};
   return report;
 }
 
@@ -32,6 +32,12 @@ TEST(ExtremesReport, HoldsUntilSomethingDoesNot) {
   ExtremesReport changed = sample();
   changed.invariances[0].measured = 1e-9;
   EXPECT_FALSE(changed.holds());
+  ExtremesReport empty = sample();
+  empty.invariances[0].at_stake = 0.0;
+  EXPECT_FALSE(empty.holds());
+  ExtremesReport boundless = sample();
+  boundless.limits[0].points[0].warned = true;  // as all of them are then
+  EXPECT_FALSE(boundless.holds());
   ExtremesReport unknown = sample();
   unknown.invariances[0].measured = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(unknown.holds());
@@ -53,6 +59,7 @@ TEST(ExtremesJson, TellsAllThatWasMeasured) {
   EXPECT_EQ(json["limits"][0]["points"][1]["warned"], true);
   EXPECT_TRUE(json["limits"][0]["points"][2]["error"].is_null());
   EXPECT_EQ(json["invariances"][0]["bound"], 0.0);
+  EXPECT_EQ(json["invariances"][0]["at_stake"], 0.3);
 }
 
 TEST(ExtremesPage, IsWholeAndAsksNothingOfAnyHost) {

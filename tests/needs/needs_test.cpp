@@ -224,6 +224,12 @@ const Case cases[] = {
      [](const Needs& n) { return n.ripple_layers == 2; }},
     {"waves need a mesh that can carry them", [](Scene& s) { s.waves.count = 8; },
      [](const Needs& n) { return n.water_level == 6; }},
+    {"and a finer one where less than a fifth of a pixel is asked for",
+     [](Scene& s) {
+       s.waves.count = 8;
+       s.quality.pixel_error = 0.19;
+     },
+     [](const Needs& n) { return n.water_level == 7; }},
     {"a calm sea does not", [](Scene&) {}, [](const Needs& n) { return n.water_level < 6; }},
     {"drift alone moves clouds without changing them",
      [](Scene& s) {

@@ -166,6 +166,22 @@ TEST(Pose, DepthRangeBeginsBeforeAllThatIsSeenOfThePlanet) {
   EXPECT_GT(seen, 100'000);
 }
 
+// From a little over them and from a little under them, a part of the clearance would cut them off.
+TEST(Pose, DepthRangeBeginsBeforeTheClouds) {
+  for (const double beside : {-0.02, -0.003, 0.003, 0.015, 0.02, 0.05}) {
+    for (const double fov : {20.0, 45.0, 120.0}) {
+      Scene scene;
+      scene.clouds.height = 0.085;
+      scene.camera.altitude = scene.clouds.height + beside;
+      scene.camera.fov = fov;
+      const View view;
+      const Pose pose = pose_of(scene, view);
+      ASSERT_FALSE(pose.raised);
+      EXPECT_LT(pose.near, std::abs(beside) * std::cos(picture_half_angle(pose, view))) << beside << ' ' << fov;
+    }
+  }
+}
+
 // What lies higher than this would be cut off by the near end of the depths.
 TEST(TopRadius, IsAboveGroundSeaAndIceEverywhere) {
   test::Places places(3U);

@@ -31,6 +31,17 @@ TEST(FreePartOfSun, IsAllOfItBesideThePlanetHalfOnItsLimbAndNothingBehindIt) {
   EXPECT_EQ(free_part_of_sun(West(-180.0).scene, West(-180.0).pose, 0.0), 1.0);  // nothing is there to hide it
 }
 
+TEST(PixelAtSun, ShrinksAwayFromThePicturesMiddle) {
+  const auto turned = [](double from_middle) {
+    const West west(-150.0 + from_middle);  // the middle of the picture shows the limb
+    return pixel_at_sun(west.scene, west.pose) / west.pose.pixel_angle;
+  };
+  EXPECT_NEAR(turned(0.0), 1.0, 1e-9);
+  EXPECT_NEAR(turned(60.0), 0.25, 1e-9);
+  EXPECT_GT(turned(180.0), 0.0);
+  EXPECT_LT(turned(180.0), 0.01);
+}
+
 TEST(SunInPicture, CountsItsGlareWhereThereIsOne) {
   const West ahead(-150.0), beside(-90.0), behind(30.0);
   EXPECT_TRUE(sun_in_picture(ahead.scene, ahead.view, ahead.pose, false));

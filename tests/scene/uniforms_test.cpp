@@ -107,13 +107,7 @@ TEST(PackScene, IsTheSameAtEverySize) {
   Random random(3);
   for (int i = 0; i < 100; ++i) {
     const Scene small = random_document(random).scene;
-    for (const double times : {2.0, 1024.0, 0.125}) {
-      Scene large = small;
-      for (const Parameter& parameter : parameters()) {
-        if (parameter.unit == "m" || parameter.unit == "m/s") *std::get<double*>(parameter.field(large)) *= times;
-      }
-      ASSERT_EQ(pack_scene(large), pack_scene(small));
-    }
+    for (const double times : {2.0, 1024.0, 0.125}) ASSERT_EQ(pack_scene(scaled(small, times)), pack_scene(small));
   }
 }
 
