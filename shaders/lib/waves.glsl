@@ -101,11 +101,17 @@ WaveSum attenuate(WaveSum sum, float factor, vec2 factor_slope) {
   return s;
 }
 
-// Water that grows shallow holds its waves back, down to none where land begins. depth: of the still water; whole_depth:
-// at which they are whole, radii, > 0; ground_slope: of the ground's height along east and north.
+// How much of its waves water leaves that grows shallow, 0..1: none where land begins. depth: of the still water;
+// whole_depth: at which they are whole, radii, > 0.
+float left_by_ground(float depth, float whole_depth) {
+  float x = clamp(depth / whole_depth, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+// Waves as they are over a ground. ground_slope: of its height along east and north.
 WaveSum held_by_ground(WaveSum sum, float depth, vec2 ground_slope, float whole_depth) {
   float x = clamp(depth / whole_depth, 0.0, 1.0);
-  return attenuate(sum, x * x * (3.0 - 2.0 * x), -6.0 * x * (1.0 - x) / whole_depth * ground_slope);
+  return attenuate(sum, left_by_ground(depth, whole_depth), -6.0 * x * (1.0 - x) / whole_depth * ground_slope);
 }
 
 // Where the water of v has gone: the offset from a still sea of the given radius (14).

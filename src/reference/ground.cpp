@@ -93,7 +93,7 @@ bool Ground::ice_around(const glm::dvec3& direction, double chord) const {
   return terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0 && std::abs(direction.z) + chord > terrain_.ice.sine - 0.08;
 }
 
-Range Ground::range_around(const glm::dvec3& direction, double chord, double told_from) const {
+Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
   const double ice = ice_around(direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
   if (terrain_.octaves == 0 || terrain_.height <= 0.0) return {0.0, ice};
   if (terrain_.power == 0.0) return {terrain_.height, std::max(terrain_.height, ice)};
@@ -111,7 +111,7 @@ Range Ground::range_around(const glm::dvec3& direction, double chord, double tol
     // What may take any value within the distance is not worth asking for: nor is all that is finer.
     const bool layer_tells = i < terrain_.octaves && frequency * chord < 0.4 && frequency < finest;
     const bool craters_tell = i < craters.sizes && craters.depth > 0.0 && crater_frequency * chord < 0.4;
-    if (heights.tells_from(told_from) || !(layer_tells || craters_tell)) return heights;
+    if (heights.lies_apart_from(told_from) || !(layer_tells || craters_tell)) return heights;
     if (layer_tells) {
       const Range layer = layer_around(direction, chord, frequency, i);
       layers = {layers.least + amplitude * layer.least, layers.most + amplitude * layer.most};
@@ -129,15 +129,17 @@ Range Ground::range_around(const glm::dvec3& direction, double chord, double tol
 }
 
 bool Ground::reaches(const glm::dvec3& direction, double radius) const {
+  const double height = radius - 1.0;
   if (highest_ < radius) return false;
-  const Range range = range_around(direction, 0.0, radius - 1.0);
-  return range.tells_from(radius - 1.0) ? range.least > radius - 1.0 : radius_at(direction) >= radius;
+  const Range range = range_around(direction, 0.0, {height, height});
+  return range.lies_apart_from(height) ? range.least > height : radius_at(direction) >= radius;
 }
 
 bool Ground::stays_below(const glm::dvec3& direction, double chord, double radius) const {
+  const double height = radius - 1.0;
   // No ground lies lower than the unit sphere.
-  if (highest_ < radius || radius <= 1.0) return highest_ < radius;
-  return range_around(direction, chord, radius - 1.0).most < radius - 1.0;
+  if (highest_ < radius || height <= 0.0) return highest_ < radius;
+  return range_around(direction, chord, {height, height}).most < height;
 }
 
 std::optional<double> Ground::hit(const Ray& ray, double before, const Resolution& resolution) const {

@@ -19,6 +19,10 @@ class Ground {
   [[nodiscard]] f64::Height height_at(const glm::dvec3& direction) const;
   [[nodiscard]] double radius_at(const glm::dvec3& direction) const { return 1.0 + height_at(direction).value; }
 
+  // Bounds of the heights of all directions within chord of a direction, by as many layers and sizes of craters as are
+  // needed to tell them from some heights: what is left rises and digs no further than its range.
+  [[nodiscard]] Range range_around(const glm::dvec3& direction, double chord, const Range& told_from) const;
+
   // As first_hit asks for them.
   [[nodiscard]] bool reaches(const glm::dvec3& direction, double radius) const;
   [[nodiscard]] bool stays_below(const glm::dvec3& direction, double chord, double radius) const;
@@ -30,9 +34,6 @@ class Ground {
   [[nodiscard]] double highest() const { return highest_; }
 
  private:
-  // Bounds of the heights of all directions within chord of a direction, by as many layers and sizes of craters as are
-  // needed to tell them from a height: what is left rises and digs no further than its range.
-  [[nodiscard]] Range range_around(const glm::dvec3& direction, double chord, double told_from) const;
   // Of one layer of noise, 0..1, and of one size of craters, radii.
   [[nodiscard]] Range layer_around(const glm::dvec3& direction, double chord, double frequency, int octave) const;
   [[nodiscard]] Range craters_around(const glm::dvec3& direction, double chord, double frequency, int size) const;

@@ -6,8 +6,8 @@ namespace terrella::reference {
 struct Range {
   double least, most;
 
-  // Whether the value is known to be smaller or larger.
-  [[nodiscard]] bool tells_from(double value) const { return most < value || least > value; }
+  [[nodiscard]] bool lies_apart_from(const Range& other) const { return most < other.least || least > other.most; }
+  [[nodiscard]] bool lies_apart_from(double value) const { return lies_apart_from({value, value}); }
 };
 
 }  // namespace terrella::reference

@@ -31,10 +31,6 @@ double Sea::depth_at(const glm::dvec3& direction) const {
   return ground_ != nullptr ? radius_ - ground_->radius_at(direction) : bottomless;
 }
 
-bool Sea::deep_around(const glm::dvec3& direction, double distance) const {
-  return ground_ == nullptr || ground_->stays_below(direction, distance, radius_ - whole_depth_);
-}
-
 f64::WaveSum Sea::whole_sum(const glm::dvec3& still, const f64::Frame& frame) const {
   f64::WaveSum sum = f64::no_waves();
   for (const f64::Wave& wave : sea_.waves) f64::add_wave(sum, still, frame, wave, 1.0);
@@ -58,7 +54,7 @@ WaterAt Sea::from(const glm::dvec3& still, bool deep) const {
 }
 
 WaterAt Sea::over(const glm::dvec3& direction) const {
-  const bool deep = deep_around(direction, 1.01 * most_shift_);
+  const bool deep = left_around(direction, 1.01 * most_shift_).least >= 1.0;
   WaterAt at = over(direction, deep);
   if (deep) at.depth = depth_at(at.still);  // otherwise it is known
   return at;
@@ -100,7 +96,7 @@ double Sea::most_of_deep_water(const WaterAt& middle, double chord) const {
   return glm::length(middle.place) + 1.02 * slope * away + 0.5 * most_curvature_ * away * away;
 }
 
-Range Sea::range_around(const glm::dvec3& direction, double chord, double told_from) const {
+Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, double told_from) const {
   const f64::Frame frame = f64::frame_at(direction);
   Range range = {-sea_.highest, sea_.highest};
   // From how far water may come to lie there. Waves that are short beside that may stand at any height; of the longer
@@ -132,31 +128,49 @@ Range Sea::range_around(const glm::dvec3& direction, double chord, double told_f
     const double rise = any_height + slope * nearer + 0.5 * curvature * nearer * nearer;
     range.least = std::max(range.least, felt.height - rise);
     range.most = std::min(range.most, felt.height + rise + aside * aside);
-    if (range.tells_from(told_from) || nearer > 0.7 * away) break;
+    const bool last = range.lies_apart_from(told_from) || nearer > 0.7 * away;
     away = nearer;
+    if (last) break;
   }
-  return range;
+  return {range, away, true};
+}
+
+Range Sea::left_around(const glm::dvec3& direction, double distance) const {
+  if (ground_ == nullptr) return {1.0, 1.0};
+  const double still = radius_ - 1.0;
+  const Range ground = ground_->range_around(direction, distance, {still - whole_depth_, still});
+  return {f64::left_by_ground(still - ground.most, whole_depth_),
+          f64::left_by_ground(still - ground.least, whole_depth_)};
+}
+
+Sea::Around Sea::around(const glm::dvec3& direction, double chord, double told_from) const {
+  Around around = whole_waves_around(direction, chord, told_from);
+  // The ground holds crests and troughs back, no further than to the still water.
+  const Range whole = around.heights;
+  const Range held = {std::min(whole.least, 0.0), std::max(whole.most, 0.0)};
+  if (held.lies_apart_from(told_from)) return {held, around.away, false};
+  const Range left = left_around(direction, around.away);
+  around.heights.least = whole.least * (whole.least < 0.0 ? left.most : left.least);
+  around.heights.most = whole.most * (whole.most > 0.0 ? left.most : left.least);
+  around.deep = left.least >= 1.0;
+  return around;
 }
 
 bool Sea::reaches(const glm::dvec3& direction, double radius) const {
   const double height = radius - radius_;
   if (sea_.highest < std::abs(height)) return height <= 0.0;
-  const Range range = range_around(direction, 0.0, height);
-  const bool above = range.most<height, below = range.least> height;
-  const bool deep = deep_around(direction, 1.01 * most_shift_);
-  if (above && (deep || height > 0.0)) return false;
-  if (below && (deep || height < 0.0)) return true;
-  return glm::length(over(direction, deep, radius).place) >= radius;
+  const Around water = around(direction, 0.0, height);
+  if (water.heights.lies_apart_from(height)) return water.heights.least > height;
+  return glm::length(over(direction, water.deep, radius).place) >= radius;
 }
 
 bool Sea::stays_below(const glm::dvec3& direction, double chord, double radius) const {
   const double height = radius - radius_;
   if (sea_.highest < height) return true;
   if (!has_waves()) return height > 0.0;
-  const bool deep = deep_around(direction, chord + 2.02 * most_shift_);
-  if (!deep && height <= 0.0) return false;
-  if (range_around(direction, chord, height).most < height) return true;
-  return deep && most_of_deep_water(over(direction, true), chord) < radius;
+  const Around water = around(direction, chord, height);
+  if (water.heights.most < height) return true;
+  return water.deep && most_of_deep_water(over(direction, true), chord) < radius;
 }
 
 std::optional<double> Sea::hit(const Ray& ray, double before, const Resolution& resolution) const {

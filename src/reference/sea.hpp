@@ -51,12 +51,19 @@ class Sea {
   // The water over a direction, which lies within most_shift_ of its still place. beside: a radius; it is enough to
   // know on which side of it the water lies; 0: find it to the precision of doubles.
   [[nodiscard]] WaterAt over(const glm::dvec3& direction, bool deep, double beside = 0.0) const;
-  // Whether the waves of all still places within a distance of a direction are whole.
-  [[nodiscard]] bool deep_around(const glm::dvec3& direction, double distance) const;
   [[nodiscard]] f64::WaveSum whole_sum(const glm::dvec3& still, const f64::Frame& frame) const;
-  // Bounds of the heights over the still sea, of all directions within chord of a direction; no tighter than is needed
-  // to tell them from a height. Where the ground holds the waves back, they lie between these and the still sea.
-  [[nodiscard]] Range range_around(const glm::dvec3& direction, double chord, double told_from) const;
+  // Bounds of the water over all directions within chord of a direction; no tighter than is needed to tell it from a
+  // height.
+  struct Around {
+    Range heights;  // over the still sea
+    double away;    // no water there comes from further
+    bool deep;      // the ground is known to be too deep to be felt where it comes from
+  };
+  [[nodiscard]] Around around(const glm::dvec3& direction, double chord, double told_from) const;
+  // The same without a ground.
+  [[nodiscard]] Around whole_waves_around(const glm::dvec3& direction, double chord, double told_from) const;
+  // How much of the waves the ground leaves within a distance of a direction, 0..1.
+  [[nodiscard]] Range left_around(const glm::dvec3& direction, double distance) const;
   [[nodiscard]] double most_of_deep_water(const WaterAt& middle, double chord) const;
 
   terrella::Sea sea_;
