@@ -58,22 +58,16 @@ std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Sp
     }
     return below;
   };
-  // The nearest half first. The surface may reach the piece; below: its end is known to lie under it.
-  const auto search = [&](const auto& self, double from, double to, bool below) -> std::optional<double> {
-    if (to - from < std::max(resolution.per_distance * from, resolution.least)) {
-      if (below || under_surface(to)) return crossing(from, to);
-      return std::nullopt;
-    }
+  // The nearest half first.
+  const auto search = [&](const auto& self, double from, double to) -> std::optional<double> {
+    if (clear(from, to)) return std::nullopt;
+    if (to - from < std::max(resolution.per_distance * from, resolution.least))
+      return under_surface(to) ? std::optional(crossing(from, to)) : std::nullopt;
     const double middle = 0.5 * (from + to);
-    if (!clear(from, middle)) {
-      const bool middle_below = under_surface(middle);
-      if (const auto found = self(self, from, middle, middle_below)) return found;
-      if (middle_below) return std::nullopt;
-    }
-    return below || !clear(middle, to) ? self(self, middle, to, below) : std::nullopt;
+    const auto found = self(self, from, middle);
+    return found ? found : self(self, middle, to);
   };
-  if (span.to <= span.from || clear(span.from, span.to)) return std::nullopt;
-  return search(search, span.from, span.to, under_surface(span.to));
+  return span.to > span.from ? search(search, span.from, span.to) : std::nullopt;
 }
 
 }  // namespace terrella::reference
