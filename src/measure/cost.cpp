@@ -26,7 +26,7 @@ class Sum {
  public:
   explicit Sum(Cost& cost) : cost_(cost) {}
 
-  void program(const char* name) { cost_.programs.emplace_back(name); }
+  void program(std::string name) { cost_.programs.push_back(std::move(name)); }
   void draw(std::int64_t triangles, int times = 1) {
     cost_.draw_calls += times;
     cost_.triangles += triangles;
@@ -57,7 +57,10 @@ void add_ground(Sum& sum, const Needs& needs) {
 }
 
 void add_water(Sum& sum, const Needs& needs) {
-  for (const char* name : {"water/calm", "water/rippled", "water/waves"}) sum.program(name);
+  for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
+    sum.program(name);
+    sum.program(text_of(name, "_near"));
+  }
   sum.draw(triangles_of(needs.water_level));
 }
 

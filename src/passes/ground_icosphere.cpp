@@ -15,9 +15,6 @@ namespace {
 constexpr std::int64_t map_noise_a_frame = 1'600'000;
 constexpr std::int64_t mesh_noise_a_frame = 120'000;
 
-// Whether pixels add layers that the map can't hold.
-bool shows_fine_layers(const Needs& needs) { return needs.pixel_octaves_end > needs.pixel_octaves_first; }
-
 bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.lowest; }
 
 }  // namespace
@@ -39,7 +36,7 @@ void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {
 }
 
 void GroundIcosphere::want(const Needs& needs) {
-  draw_program_.want(shows_fine_layers(needs) ? "ground/icosphere_near" : "ground/icosphere");
+  draw_program_.want(refines_ground(needs) ? "ground/icosphere_near" : "ground/icosphere");
 }
 
 void GroundIcosphere::update(const Frame& frame) {
@@ -127,7 +124,7 @@ void GroundIcosphere::bind_map(double level) { (fine_done_ ? fine_map_ : coarse_
 double GroundIcosphere::map_texel_angle() const { return texel_angle((fine_done_ ? fine_map_ : coarse_map_)->side()); }
 
 void GroundIcosphere::draw(const Frame& frame) {
-  if (shows_fine_layers(frame.needs)) {
+  if (refines_ground(frame.needs)) {
     const LayerBlock block = layer_block(frame.scene, frame.pose);
     layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   }

@@ -30,7 +30,10 @@ SeaPass::SeaPass(Water technique, SphereMeshes& spheres)
     : spheres_(spheres), program_(technique == Water::calm ? "water/calm" : "water/waves") {}
 
 void SeaPass::want(const Needs& needs) {
-  program_.want(needs.water == Water::waves ? "water/waves" : needs.ripple_layers > 0 ? "water/rippled" : "water/calm");
+  const bool near = refines_ground(needs);
+  if (needs.water == Water::waves) return program_.want(near ? "water/waves_near" : "water/waves");
+  if (needs.ripple_layers > 0) return program_.want(near ? "water/rippled_near" : "water/rippled");
+  program_.want(near ? "water/calm_near" : "water/calm");
 }
 
 void SeaPass::draw(const Frame& frame, std::span<const RadiusRange> ground) {

@@ -67,6 +67,9 @@ inline constexpr int coarse_level = 5;
 inline constexpr int coarse_ground_texels = 96;
 inline constexpr int coarse_cloud_texels = 96;
 
+// Whether pixels add layers that the map of the ground can't hold.
+inline bool refines_ground(const Needs& needs) { return needs.pixel_octaves_end > needs.pixel_octaves_first; }
+
 // Distance of neighbouring texels in the middle of a cube map's face, rad.
 double texel_angle(int texels);
 

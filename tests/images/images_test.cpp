@@ -260,6 +260,32 @@ TEST(Pictures, ConvergeAsTheMeshAndTheMapsGrowFiner) {
   EXPECT_GT(finer, 30.0);
 }
 
+// How much neighbouring pixels differ within a rectangle of a picture.
+double roughness(const Image& image, int left, int top, int right, int bottom) {
+  double sum = 0.0;
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) sum += std::abs(double{image.at(x + 1, y)[0]} - double{image.at(x, y)[0]});
+  }
+  return sum / ((right - left) * (bottom - top));
+}
+
+// A beach from close by, of which the water's mesh draws the left part: it lies lower than that mesh. Measured: 0.45 of
+// the roughness of the steeper ground beside it; 0.06 without the layers that are finer than the map.
+TEST(Shore, OnTheWatersMeshShowsTheLayersOfTheGroundBesideIt) {
+  Studio studio;
+  Scene scene = find_preset("temperate")->scene;
+  scene.camera.latitude = 0.5;
+  scene.camera.longitude = 1.5;
+  scene.camera.altitude = 0.06;
+  scene.camera.pitch = -90.0;
+  scene.clouds.coverage = 0.0;
+  scene.air.density = 0.0;
+  const Image image = take_picture(studio.renderer, scene, small(320, 180));
+  const double on_water = roughness(image, 5, 5, 65, 90), on_ground = roughness(image, 120, 5, 180, 90);
+  EXPECT_GT(on_ground, 0.005);
+  EXPECT_GT(on_water, 0.4 * on_ground);
+}
+
 TEST(Clouds, FromCloseByAreThoseOfAFinerMap) {
   Studio studio;
   Scene scene;

@@ -412,19 +412,6 @@ TEST(WaterLight, ByPhongAddsAHighlightWhereItMirrorsTheSun) {
   expect_equal(light(scene.sun, 1.0), black, 1e-6);
 }
 
-TEST(WaterLight, IsNotSeenWhereThereIsLand) {
-  const f64::SceneLight scene = bare_scene(risen(0.7, -1.0));
-  const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
-  for (const int shading : {0, 1}) {
-    f64::WaterLook look = some_look();
-    look.shading = shading;
-    look.glow = 3.0;
-    for (const double depth : {0.0, -0.1}) {
-      expect_equal(f64::water_light(level(1.0, depth), at, -risen(0.7), sand, white, 1.0, look, scene), sand);
-    }
-  }
-}
-
 TEST(WaterLight, IsHiddenByFoamAsFarAsItCovers) {
   f64::SceneLight scene = bare_scene(zenith);
   const f64::WaterLook look = some_look();

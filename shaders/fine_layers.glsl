@@ -1,0 +1,54 @@
+// The ground from so near that pixels are finer than its map: further layers of noise at every pixel.
+#include "ground_map.glsl"
+#include "layer_block.glsl"
+
+// The direction of a place less the anchor's, from the place's offset to the eye: no large numbers are subtracted.
+vec3 direction_from_anchor(vec3 offset) {
+  float eye_radius = 1.0 + eye_high.w;
+  vec3 anchor = layer_anchor.xyz;
+  float radius2 = eye_radius * eye_radius + 2.0 * eye_radius * dot(anchor, offset) + dot(offset, offset);
+  float radius = sqrt(max(radius2, 1.0e-12));
+  float climb = (2.0 * eye_radius * dot(anchor, offset) + dot(offset, offset)) / (radius + eye_radius);
+  return (offset - anchor * climb) / radius;
+}
+
+// What the layers finer than the map add.
+struct FineLayers {
+  vec3 gradient;  // to that of the sum of layers
+  float grain;    // to the colour, about -1..1: what is flat shows them, too
+};
+
+// from_anchor: of the place; footprint: of a pixel there, rad.
+FineLayers fine_layers(vec3 from_anchor, float footprint) {
+  uint seed = uint(planet_seed);
+  float texel = ground_map_scale.x;
+  float enters = 1.0 - smoothstep(0.4, 0.6, footprint / texel);
+  FineLayers fine;
+  fine.gradient = vec3(0.0);
+  fine.grain = 0.0;
+  float strength = 0.4;
+  int first = int(ground_map_scale.y), end = int(ground_map_scale.z);
+  float amplitude = enters * pow(terrain_persistence, float(first));
+  for (int i = first; i < end; ++i) {
+    float frequency = layer_place[i].w;
+    float weight = layer_weight(frequency, footprint);
+    if (weight <= 0.0) break;  // and so is that of all finer layers
+    vec3 q = layer_place[i].xyz + frequency * from_anchor;
+    Noise n = simplex_noise(layer_cell[i].xyz, q, layer_seed(i, seed));
+    float slope = layer_slope(n.value, terrain_ridged != 0, terrain_ridge_sharpness);
+    float shown = max(weight - layer_weight(frequency, texel), 0.0);
+    fine.gradient += amplitude * shown * frequency * slope * n.gradient;
+    fine.grain += enters * strength * shown * n.value;
+    strength *= 0.8;
+    amplitude *= terrain_persistence;
+  }
+  return fine;
+}
+
+// The ground with the layers that the map can't hold. up: unit, of the place.
+GroundAt refined(GroundAt ground, FineLayers fine, vec3 up) {
+  float slope = height_power_slope_at(ground.height + sea.x - 1.0, terrain_height, terrain_power);
+  vec3 gradient = fine.gradient * slope / amplitude_sum(terrain_persistence, terrain_octaves);
+  ground.gradient += gradient - dot(gradient, up) * up;
+  return ground;
+}
