@@ -34,17 +34,20 @@ Image cut_off(Image light) {
   return light;
 }
 
+// Options: StillOptions or the reference's.
+template <class Options>
+Options asked_for(double time) {
+  Options options;
+  options.width = width;
+  options.height = height;
+  options.seconds = time;
+  options.samples = samples;
+  return options;
+}
+
 Errors errors_of(const Scene& scene, Renderer& renderer) {
-  StillOptions still;
-  still.width = width;
-  still.height = height;
-  still.seconds = seconds;
-  still.samples = samples;
-  reference::Options exact;
-  exact.width = width;
-  exact.height = height;
-  exact.seconds = seconds;
-  exact.samples = samples;
+  const auto still = asked_for<StillOptions>(seconds);
+  const auto exact = asked_for<reference::Options>(seconds);
   const Image drawn = take_measurement(renderer, scene, still, Channel::color), is = reference::light(scene, exact);
   const reference::Geometry seen = reference::geometry(scene, exact);
   Errors errors;
@@ -302,16 +305,8 @@ TEST(CloudsBlendedInTime, AreThoseOfTheReference) {
   scene.clouds.model = 1;
   scene.terrain.model = 0;
   const auto psnr_at = [&](double time) {
-    StillOptions still;
-    still.width = width;
-    still.height = height;
-    still.samples = samples;
-    still.seconds = time;
-    reference::Options exact;
-    exact.width = width;
-    exact.height = height;
-    exact.samples = samples;
-    exact.seconds = time;
+    const auto still = asked_for<StillOptions>(time);
+    const auto exact = asked_for<reference::Options>(time);
     return psnr(cut_off(take_measurement(renderer, scene, still, Channel::color)),
                 cut_off(reference::light(scene, exact)));
   };
