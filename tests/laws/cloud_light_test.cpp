@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "formulas/formulas.hpp"
+#include "laws/bare_scene.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
@@ -18,19 +19,6 @@ f64::Clouds some_clouds() {
   c.shadow = 0.7;
   c.color = {0.9, 0.8, 0.7};
   return c;
-}
-
-// Neither air nor light from all around: what is left is the sun's.
-f64::SceneLight bare_scene(const glm::dvec3& sun) {
-  f64::SceneLight scene;
-  scene.eye = {0.0, 0.0, 3.0};
-  scene.eye_height = 2.0;
-  scene.sun = sun;
-  scene.sunlight = {2.0, 1.8, 1.5};
-  scene.ambient = 0.0;
-  scene.sky_glow = glm::dvec3(0.0);
-  scene.air = {1.1, 0.0, 3.2, 0.22, {0.2, 0.4, 1.0}, {1.0, 0.3, 0.1}};
-  return scene;
 }
 
 const glm::dvec3 zenith(0.0, 0.0, 1.0);
@@ -80,7 +68,7 @@ TEST(CloudEntry, LiesTowardsTheSunByTheReach) {
 
 TEST(CloudVeil, IsAsOpaqueAsItIsDenseAndFadesWhereItsShellIsSeenAlongItsEdge) {
   const f64::Clouds clouds = some_clouds();
-  const f64::SceneLight scene = bare_scene(zenith);
+  const f64::SceneLight scene = test::bare_scene(zenith);
   const auto opacity = [&](double cosine) {  // of the view with the shell's normal
     return f64::cloud_veil(cloud(zenith, 0.0, clouds), -sun_at(cosine), clouds, scene).opacity;
   };
@@ -92,7 +80,7 @@ TEST(CloudVeil, IsAsOpaqueAsItIsDenseAndFadesWhereItsShellIsSeenAlongItsEdge) {
 }
 
 TEST(CloudVeil, IsNothingWithoutNoiseCoverageOrDensity) {
-  const f64::SceneLight scene = bare_scene(zenith);
+  const f64::SceneLight scene = test::bare_scene(zenith);
   f64::Clouds clouds = some_clouds();
   f64::CloudAt thin = cloud(zenith, 0.0, clouds);
   thin.noise = -2.0;
@@ -113,7 +101,7 @@ TEST(CloudVeil, IsNothingWithoutNoiseCoverageOrDensity) {
 double sunlit(double climb, double rise, double shadow, bool from_below) {
   f64::Clouds clouds = some_clouds();
   clouds.shadow = shadow;
-  const f64::SceneLight scene = bare_scene(sun_at(climb));
+  const f64::SceneLight scene = test::bare_scene(sun_at(climb));
   const f64::Veil veil =
       f64::cloud_veil(cloud(scene.sun, rise, clouds), (from_below ? 2.0 : -2.0) * zenith, clouds, scene);
   const glm::dvec3 light = veil.light / veil.opacity / (clouds.color * scene.sunlight);
@@ -144,7 +132,7 @@ TEST(CloudVeil, ShadesItselfByWhatRisesTowardsTheSunAndByItsOwnDepth) {
 
 TEST(CloudVeil, TakesTheLightOfTheSkyByNightToo) {
   const f64::Clouds clouds = some_clouds();
-  f64::SceneLight scene = bare_scene(-zenith);
+  f64::SceneLight scene = test::bare_scene(-zenith);
   scene.ambient = 0.3;
   const f64::Veil veil = f64::cloud_veil(cloud(-zenith, 0.0, clouds), -2.0 * zenith, clouds, scene);
   const f64::LightAt at = f64::light_at(zenith, clouds.height, scene);
@@ -153,7 +141,7 @@ TEST(CloudVeil, TakesTheLightOfTheSkyByNightToo) {
 
 TEST(CloudVeil, LiesBehindTheAirBeforeIt) {
   const f64::Clouds clouds = some_clouds();
-  f64::SceneLight scene = bare_scene(zenith);
+  f64::SceneLight scene = test::bare_scene(zenith);
   scene.air.density = 1.0;
   const glm::dvec3 offset = 1.02 * glm::normalize(glm::dvec3(0.6, 0.0, 0.8)) - scene.eye;
   f64::CloudAt at = f64::cloud_place(glm::normalize(scene.eye + offset), zenith, clouds);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "formulas/formulas.hpp"
+#include "laws/bare_scene.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
@@ -22,19 +23,6 @@ f64::WaterLook some_look() {
   look.crust = 0.0;
   look.shading = 0;
   return look;
-}
-
-// Neither air nor light from all around: what is left is the sun's.
-f64::SceneLight bare_scene(const glm::dvec3& sun) {
-  f64::SceneLight scene;
-  scene.eye = {0.0, 0.0, 3.0};
-  scene.eye_height = 2.0;
-  scene.sun = sun;
-  scene.sunlight = {2.0, 1.8, 1.5};
-  scene.ambient = 0.0;
-  scene.sky_glow = glm::dvec3(0.0);
-  scene.air = {1.1, 0.0, 3.2, 0.22, {0.2, 0.4, 1.0}, {1.0, 0.3, 0.1}};
-  return scene;
 }
 
 const glm::dvec3 zenith(0.0, 0.0, 1.0);
@@ -269,7 +257,7 @@ TEST(DiveOf, IsTheCosineHeldToAQuarter) {
 const glm::dvec3 sand(0.6, 0.5, 0.3);
 
 TEST(LightThrough, WithoutWaterIsThatOfTheGround) {
-  const f64::SceneLight scene = bare_scene(risen(0.8));
+  const f64::SceneLight scene = test::bare_scene(risen(0.8));
   const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
   for (const double shade : {0.0, 0.4, 1.0}) {
     expect_equal(f64::light_through(sand, zenith, 0.0, 0.0, at, shade, some_look(), scene),
@@ -278,7 +266,7 @@ TEST(LightThrough, WithoutWaterIsThatOfTheGround) {
 }
 
 TEST(LightThrough, DimsTheBottomByBothWaysThroughTheWater) {
-  const f64::SceneLight scene = bare_scene(risen(0.5));
+  const f64::SceneLight scene = test::bare_scene(risen(0.5));
   const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
   const f64::WaterLook look = some_look();
   const auto of_bottom = [&](double depth, double way) {  // what a black bottom lacks
@@ -294,7 +282,7 @@ TEST(LightThrough, DimsTheBottomByBothWaysThroughTheWater) {
 
 TEST(LightThrough, OfDeepWaterIsItsOwnColorByTheLightThatFallsIn) {
   const f64::WaterLook look = some_look();
-  f64::SceneLight scene = bare_scene(risen(0.5));
+  f64::SceneLight scene = test::bare_scene(risen(0.5));
   f64::LightAt at = f64::light_at(zenith, 0.0, scene);
   const auto deep = [&](double shade) { return f64::light_through(sand, zenith, 9.0, 9.0, at, shade, look, scene); };
   expect_equal(deep(1.0), 0.6 * look.color * at.sun * (0.65 / 1.15));
@@ -326,7 +314,7 @@ f64::Water level(double foam = 0.0, double depth = 0.01) {
 const glm::dvec3 white(1.0), black(0.0);
 
 TEST(WaterLight, MirrorsByFresnelAndLetsThroughTheRest) {
-  const f64::SceneLight scene = bare_scene(risen(0.5));
+  const f64::SceneLight scene = test::bare_scene(risen(0.5));
   const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
   const f64::WaterLook look = some_look();
   const double r0 = std::pow(0.333 / 2.333, 2.0);
@@ -345,7 +333,7 @@ TEST(WaterLight, MirrorsByFresnelAndLetsThroughTheRest) {
 
 // The sun's glitter alone, as a part of the sunlight.
 double sun_glitter(const glm::dvec3& sun, const glm::dvec3& to_eye, double roughness, double shade = 1.0) {
-  const f64::SceneLight scene = bare_scene(sun);
+  const f64::SceneLight scene = test::bare_scene(sun);
   const f64::LightAt at{zenith, scene.sunlight, black};
   f64::Water w = level();
   w.roughness = roughness;
@@ -401,7 +389,7 @@ TEST(WaterLight, SendsBackNoMoreSunlightThanFresnelAllows) {
 TEST(WaterLight, ByPhongAddsAHighlightWhereItMirrorsTheSun) {
   f64::WaterLook look = some_look();
   look.shading = 1;
-  const f64::SceneLight scene = bare_scene(risen(0.7, -1.0));
+  const f64::SceneLight scene = test::bare_scene(risen(0.7, -1.0));
   const f64::LightAt at{zenith, scene.sunlight, black};
   const auto light = [&](const glm::dvec3& to_eye, double shade) {
     return f64::water_light(level(), at, -to_eye, sand, white, shade, look, scene) - sand;
@@ -413,7 +401,7 @@ TEST(WaterLight, ByPhongAddsAHighlightWhereItMirrorsTheSun) {
 }
 
 TEST(WaterLight, IsHiddenByFoamAsFarAsItCovers) {
-  f64::SceneLight scene = bare_scene(zenith);
+  f64::SceneLight scene = test::bare_scene(zenith);
   const f64::WaterLook look = some_look();
   f64::LightAt at = f64::light_at(zenith, 0.0, scene);
   const auto light = [&](double foam, double shade) {
@@ -426,13 +414,13 @@ TEST(WaterLight, IsHiddenByFoamAsFarAsItCovers) {
   at = f64::light_at(zenith, 0.0, scene);
   expect_equal(light(1.0, 0.0), 0.55 * look.foam_color * f64::skylight(at, zenith, scene));
   // The sun at a slant: wrapped a little.
-  scene = bare_scene(risen(0.45));
+  scene = test::bare_scene(risen(0.45));
   at = {zenith, scene.sunlight, black};
   expect_equal(light(1.0, 1.0), 0.55 * (0.55 / 1.1) * look.foam_color * scene.sunlight);
 }
 
 TEST(WaterLight, GlowsByItselfThroughNoFoamAndNoCrust) {
-  const f64::SceneLight scene = bare_scene(-zenith);
+  const f64::SceneLight scene = test::bare_scene(-zenith);
   const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
   f64::WaterLook look = some_look();
   look.glow = 2.0;
@@ -454,7 +442,7 @@ TEST(WaterLight, IsTheSameHoweverTheSceneIsTurned) {
     f64::WaterLook look = some_look();
     look.shading = i % 2;
     const auto light = [&](const glm::dmat3& t) {
-      f64::SceneLight scene = bare_scene(t * sun);
+      f64::SceneLight scene = test::bare_scene(t * sun);
       scene.ambient = 0.2;
       f64::Water w = level(0.2);
       w.normal = t * zenith;
