@@ -86,6 +86,16 @@ std::optional<double> parse_number(std::string_view text) {
   return std::strtod(std::string(text).c_str(), nullptr);
 }
 
+std::optional<double> parse_typed_number(std::string_view text) {
+  std::string number(text.substr(text.starts_with('+') ? 1 : 0));
+  const std::size_t first = number.starts_with('-') ? 1 : 0, point = number.find('.');
+  if (point == std::string::npos || number.size() == first + 1) return parse_number(number);
+  const bool digits_follow = point + 1 < number.size() && is_digit(number[point + 1]);
+  if (!digits_follow) number.insert(point + 1, 1, '0');
+  if (point == first) number.insert(point, 1, '0');
+  return parse_number(number);
+}
+
 std::string shortened(std::string_view text, std::size_t max_length) {
   std::string kept;
   std::size_t at = 0;

@@ -20,6 +20,9 @@ std::string printed_number(double value, int digits);
 // large for a double gives an infinity, so that a range check can name it.
 std::optional<double> parse_number(std::string_view text);
 
+// The same as people type it: also with a leading '+', without a zero before the point or digits behind it.
+std::optional<double> parse_typed_number(std::string_view text);
+
 // The text made fit to be quoted in a sentence: at most max_length characters of it, an ellipsis where it was cut, and
 // spaces for control characters.
 std::string shortened(std::string_view text, std::size_t max_length = 40);

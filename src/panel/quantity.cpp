@@ -72,7 +72,7 @@ std::optional<double> read_quantity(std::string_view typed, const Parameter& par
   typed = trimmed(typed);
   std::size_t digits = typed.size();
   while (digits > 0 && !ends_a_number(typed[digits - 1])) --digits;
-  const std::optional<double> number = parse_number(typed.substr(0, digits));
+  const std::optional<double> number = parse_typed_number(typed.substr(0, digits));
   if (!number || std::isnan(*number)) return std::nullopt;
   double value = *number;
   if (is_metric(parameter)) {

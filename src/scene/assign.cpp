@@ -79,7 +79,7 @@ std::string quoted(const Value& value, std::string_view given) {
 
 Value value_of_text(const Parameter& parameter, std::string_view text) {
   if (parameter.type == Type::Float || parameter.type == Type::Int) {
-    if (const auto number = parse_number(text)) return *number;
+    if (const auto number = parse_typed_number(text)) return *number;
   }
   if (parameter.type == Type::Bool) {
     if (text == "true" || text == "1") return true;

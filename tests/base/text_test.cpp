@@ -55,6 +55,15 @@ TEST(ParseNumber, TakesWhatJsonTakesAndNothingElse) {
   }
 }
 
+TEST(ParseTypedNumber, TakesWhatPeopleType) {
+  const std::pair<const char*, double> typed[] = {{".5", 0.5},    {"-.5", -0.5}, {"+1", 1.0},   {"5.", 5.0},
+                                                  {"+.25", 0.25}, {"-3.", -3.0}, {"1.e3", 1e3}, {"1.5", 1.5}};
+  for (const auto& [text, value] : typed) EXPECT_EQ(parse_typed_number(text), value) << text;
+  for (const char* text : {"", ".", "-.", "+", "-", "+-1", "++1", "..5", ".e3", "1,5", "0x10"}) {
+    EXPECT_FALSE(parse_typed_number(text)) << text;
+  }
+}
+
 TEST(ParseNumber, MakesAnInfinityOfWhatIsTooLarge) {
   EXPECT_EQ(parse_number("1e999"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(parse_number("-1e999"), -std::numeric_limits<double>::infinity());
