@@ -87,10 +87,12 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::optional<double> parse_typed_number(std::string_view text) {
-  std::string number(text.substr(text.starts_with('+') ? 1 : 0));
+  const bool plus = text.starts_with('+') && !text.starts_with("+-");
+  std::string number(text.substr(plus ? 1 : 0));
   const std::size_t first = number.starts_with('-') ? 1 : 0, point = number.find('.');
-  if (point == std::string::npos || number.size() == first + 1) return parse_number(number);
+  if (point == std::string::npos) return parse_number(number);
   const bool digits_follow = point + 1 < number.size() && is_digit(number[point + 1]);
+  if (point == first && !digits_follow) return std::nullopt;
   if (!digits_follow) number.insert(point + 1, 1, '0');
   if (point == first) number.insert(point, 1, '0');
   return parse_number(number);
