@@ -1,0 +1,124 @@
+// The ground of the picture, its waves and its colour. Definitions and bounds of errors: docs/numerics.md.
+#include <algorithm>
+#include <cmath>
+
+#include "probe/scene_arguments.hpp"
+
+namespace terrella::probe {
+namespace {
+
+// The finest layers of noise have half a cell between such samples: there noise still knows where it is.
+constexpr Range footprints{1e-6, 1.0};
+
+Function terrain_height() {
+  Formula f;
+  f.name = "terrain_height";
+  f.args = {{"direction", Kind::triple, "", components},
+            {"footprint", Kind::number, "rad", footprints},
+            {"H", Kind::number, "radii", parts},
+            {"frequency", Kind::number, "cells/radius", {0.01, 1e4}},
+            {"octaves", Kind::whole, "", {0.0, 24.0}},
+            {"persistence", Kind::number, "", {0.0, 1.5}},
+            {"lacunarity", Kind::number, "", {1.0, 4.0}},
+            {"p", Kind::number, "", {0.0, 16.0}},
+            {"mode", Kind::word, "", any, false, {"fbm", "ridge"}},
+            {"k", Kind::number, "", {0.0, 1000.0}},
+            of_host({"seed", Kind::whole, "", seeds})};
+  f.outputs = {{"height", 0}, {"grad", 1, 3}, {"openness", 4}};
+  f.rarity = 10;
+  f.on_cpu = 32.0;
+  f.on_gpu = 32.0;
+  return function_of(f);
+}
+
+Function craters() {
+  Formula f;
+  f.name = "craters";
+  f.args = {{"direction", Kind::triple, "", components}, {"footprint", Kind::number, "rad", footprints},
+            {"depth", Kind::number, "", parts},          {"frequency", Kind::number, "cells/radius", {0.01, 1e3}},
+            {"sizes", Kind::whole, "", {0.0, 16.0}},     of_host({"seed", Kind::whole, "", seeds})};
+  f.outputs = {{"height", 0}, {"grad", 1, 3}};
+  f.rarity = 10;
+  f.on_cpu = 16.0;
+  f.on_gpu = 16.0;
+  return function_of(f);
+}
+
+Function swell() {
+  Formula f;
+  f.name = "swell";
+  f.args = {{"v", Kind::triple, "", components},
+            {"waves",
+             Kind::objects,
+             "",
+             any,
+             false,
+             {},
+             {{"origin", Kind::triple, "", components},
+              {"A", Kind::number, "radii", {0.0, 0.2}},
+              {"w", Kind::number, "rad/rad", {1.0, 1e6}},
+              {"phase", Kind::number, "rad", {-turn / 2.0, turn / 2.0}},
+              {"pinch", Kind::number, "radii", {0.0, 0.2}}}}};
+  f.outputs = {{"height", 0}, {"shift", 1, 3}, {"slope", 4, 3}};
+  f.rarity = 3;
+  f.on_cpu = 8.0;
+  f.on_gpu = 8.0;
+  return function_of(f);
+}
+
+Function ground_albedo() {
+  Formula f;
+  f.name = "ground_albedo";
+  constexpr Range heights{0.0, 1.0};
+  f.args = {{"up", Kind::triple, "", components},
+            {"normal", Kind::triple, "", components},
+            {"grad", Kind::triple, "", {-1.0, 1.0}},
+            {"openness", Kind::number, "", parts},
+            {"height", Kind::number, "radii", {-1.0, 1.0}},
+            {"bands",
+             Kind::object,
+             "",
+             any,
+             false,
+             {},
+             {{"sand", Kind::spread, "", parts},
+              {"land", Kind::spread, "", parts},
+              {"mountain", Kind::spread, "", parts},
+              {"snow", Kind::spread, "", parts},
+              {"seabed", Kind::spread, "", parts},
+              {"sea", Kind::spread, "", parts},
+              {"sand_height", Kind::number, "radii", heights},
+              {"mountain_height", Kind::number, "radii", heights},
+              {"snow_height", Kind::number, "radii", heights},
+              {"softness", Kind::number, "", parts},
+              {"slope_rock", Kind::number, "", parts},
+              {"thinning", Kind::number, "", parts},
+              {"snow_sine", Kind::number, "", {0.0, 2.0}},
+              {"hollows", Kind::number, "", parts}}}};
+  f.outputs = {{"albedo", 0, 3}};
+  f.made_from = [](std::span<const double>) { return 1.0; };
+  f.fit = [](Json& args, Random& random) {
+    // Normals mostly point up, and all sorts of heights come near the bands'.
+    const glm::dvec3 up = triple(args, "up");
+    if (random.chance(0.8)) {
+      const glm::dvec3 n = up + random.between(0.0, 1.0) * triple(args, "normal");
+      args["normal"] = list(n / std::hypot(n.x, n.y, n.z));
+    }
+    if (random.chance(0.5)) {
+      Json& bands = args["bands"];
+      for (const char* name : {"sand_height", "mountain_height", "snow_height"}) {
+        bands[name] = random.log_between(1e-6, 1.0);
+      }
+      args["height"] = number(bands, random.chance(0.5) ? "snow_height" : "sand_height") * random.between(-1.0, 2.0);
+      if (number(args, "height") > 1.0) args["height"] = 1.0;
+    }
+  };
+  f.rarity = 4;
+  return function_of(f);
+}
+
+}  // namespace
+
+std::vector<Function> ground_functions() { return {terrain_height(), craters(), swell(), ground_albedo()}; }
+
+}  // namespace terrella::probe
