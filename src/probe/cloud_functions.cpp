@@ -87,8 +87,9 @@ Function cloud_veil() {
     const glm::dvec3 place = triple(args, "up") * (1.0 + number(args["clouds"], "height"));
     args["offset"] = list(glm::clamp(place - triple(args["scene"], "eye"), -1e3, 1e3));
   };
-  f.on_gpu = 64.0;
   f.rarity = 4;
+  f.on_cpu = 64.0;
+  f.on_gpu = 64.0;
   return function_of(f);
 }
 

@@ -26,9 +26,19 @@ Function terrain_height() {
             of_host({"seed", Kind::whole, "", seeds})};
   f.outputs = {{"height", 0}, {"grad", 1, 3}, {"openness", 4}};
   f.rarity = 10;
-  f.on_cpu = 32.0;
-  f.on_gpu = 32.0;
-  return function_of(f);
+  f.on_cpu = 64.0;
+  f.on_gpu = 64.0;
+  Function made = function_of(f);
+  made.allowed = [of_arguments = made.allowed](const Case& c) {
+    Numbers allowed = of_arguments(c);
+    allowed[4] += 4.0 * u;  // openness is a half and what is added to it
+    // Where the mean of the layers reaches 0 or 1 the ground ends in a plain: its slope jumps.
+    const double h = std::pow(c.answers[0] / std::fmax(c.numbers[4], faint), 1.0 / std::fmax(c.numbers[9], 1e-3));
+    const double known = (12.0 + c.numbers[6]) * u;
+    if (h <= known || h >= 1.0 - known) std::fill(allowed.begin() + 1, allowed.end(), anything);
+    return allowed;
+  };
+  return made;
 }
 
 Function craters() {

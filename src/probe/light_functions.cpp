@@ -24,8 +24,21 @@ Function light_at() {
 Function air_opacity() {
   Formula f;
   f.name = "air_opacity";
-  f.args = {{"cosine", Kind::number, "", parts}, {"path", Kind::number, "radii", {0.0, 4.0}}, air_shell()};
-  f.outputs = {{"whole", 0}, {"before", 1}};
+  f.args = {{"cosine", Kind::number, "", parts}, air_shell()};
+  f.outputs = {{"opacity", 0}};
+  f.made_from = [](std::span<const double>) { return 1.0; };
+  f.on_gpu = 64.0;
+  return function_of(f);
+}
+
+Function air_opacity_before() {
+  Formula f;
+  f.name = "air_opacity_before";
+  f.args = {{"opacity", Kind::number, "", parts},
+            {"cosine", Kind::number, "", parts},
+            {"path", Kind::number, "radii", {0.0, 4.0}},
+            {"top", Kind::number, "radii", tops}};
+  f.outputs = {{"opacity", 0}};
   f.made_from = [](std::span<const double>) { return 1.0; };
   f.fit = [](Json& args, Random& random) {
     if (random.chance(0.5)) args["path"] = random.log_between(1e-6, 4.0);
@@ -69,7 +82,7 @@ Function through_air() {
     args["offset"] = list(glm::clamp(offset, -1e3, 1e3));
   };
   f.rarity = 3;
-  f.on_cpu = 8.0;
+  f.on_cpu = 64.0;
   f.on_gpu = 64.0;
   return function_of(f);
 }
@@ -92,7 +105,7 @@ Function air_before_sky() {
   f.made_from = [of_scene](std::span<const double> numbers) { return std::max(of_scene(numbers), 1.0); };
   f.fit = fit_ray;
   f.rarity = 3;
-  f.on_cpu = 8.0;
+  f.on_cpu = 64.0;
   f.on_gpu = 64.0;
   return function_of(f);
 }
@@ -123,7 +136,8 @@ Function sunlight_at_eye() {
 }  // namespace
 
 std::vector<Function> light_functions() {
-  return {light_at(), air_opacity(), sky_along(), through_air(), air_before_sky(), sky_shown(), sunlight_at_eye()};
+  return {light_at(),    air_opacity(),    air_opacity_before(), sky_along(),
+          through_air(), air_before_sky(), sky_shown(),          sunlight_at_eye()};
 }
 
 }  // namespace terrella::probe

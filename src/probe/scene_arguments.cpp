@@ -14,7 +14,7 @@ Arg air_shell() {
           any,
           false,
           {},
-          {{"top", Kind::number, "radii", {1.0 + 1e-4, 2.0}},
+          {{"top", Kind::number, "radii", tops},
            {"density", Kind::number, "", parts},
            {"exponent", Kind::number, "", {0.0, 32.0}},
            {"wrap", Kind::number, "", parts},

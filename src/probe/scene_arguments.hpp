@@ -10,6 +10,7 @@ namespace terrella::probe {
 
 inline constexpr Range components{-1.0, 1.0}, parts{0.0, 1.0};
 inline constexpr Range seeds{0.0, 4294967295.0};
+inline constexpr Range tops{1.0 + 1e-4, 2.0};  // of the air
 inline constexpr Range brightness{0.0, 100.0};
 
 // Radii: a thousandth of a metre over a planet of a kilometre, and as far away as a planet is a point.

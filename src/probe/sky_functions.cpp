@@ -53,8 +53,9 @@ Function ring_veil() {
     const double away = inner + across * number(args["rings"], "width");
     args["place"] = list(glm::clamp(away * glm::dvec3(std::cos(angle), std::sin(angle), 0.0), -20.0, 20.0));
   };
-  f.on_gpu = 64.0;
   f.rarity = 4;
+  f.on_cpu = 8.0;
+  f.on_gpu = 64.0;
   return function_of(f);
 }
 
@@ -107,6 +108,8 @@ Function glare_of_sun() {
   f.fit = [](Json& args, Random& random) {
     if (random.chance(0.9)) args["away"] = number(args, "reach") * random.log_between(1e-5, 1.01);
   };
+  f.on_cpu = 8.0;
+  f.on_gpu = 8.0;
   return function_of(f);
 }
 
@@ -121,6 +124,8 @@ Function tone_map() {
       if (random.chance(0.9)) channel = random.log_between(1e-5, 65504.0);
     }
   };
+  f.on_cpu = 8.0;
+  f.on_gpu = 8.0;
   return function_of(f);
 }
 

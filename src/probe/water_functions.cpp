@@ -45,6 +45,8 @@ Function glitter() {
   f.fit = [](Json& args, Random& random) {
     if (random.chance(0.5)) args["normal_half"] = 1.0 - random.log_between(1e-7, 1.0);
   };
+  f.on_cpu = 8.0;
+  f.on_gpu = 8.0;
   return function_of(f);
 }
 
@@ -111,8 +113,9 @@ Function water_light() {
     return std::max(of_scene(numbers), *std::max_element(numbers.begin() + 9, numbers.begin() + 15));
   };
   f.fit = fit_water;
-  f.on_gpu = 64.0;
   f.rarity = 4;
+  f.on_cpu = 16.0;
+  f.on_gpu = 64.0;
   return function_of(f);
 }
 
