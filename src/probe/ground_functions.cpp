@@ -2,6 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "formulas/formulas.hpp"
 #include "probe/scene_arguments.hpp"
 
 namespace terrella::probe {
@@ -9,6 +13,9 @@ namespace {
 
 // The finest layers of noise have half a cell between such samples: there noise still knows where it is.
 constexpr Range footprints{1e-6, 1.0};
+
+// What a weight of layers leaves of 1 is known to so much, as faint as it may be.
+constexpr double weight = 4.0 * u;
 
 Function terrain_height() {
   Formula f;
@@ -26,19 +33,48 @@ Function terrain_height() {
             of_host({"seed", Kind::whole, "", seeds})};
   f.outputs = {{"height", 0}, {"grad", 1, 3}, {"openness", 4}};
   f.rarity = 10;
-  f.on_cpu = 64.0;
-  f.on_gpu = 64.0;
+  f.on_cpu = 32.0;
+  f.on_gpu = 32.0;
   Function made = function_of(f);
   made.allowed = [of_arguments = made.allowed](const Case& c) {
     Numbers allowed = of_arguments(c);
-    allowed[4] += 4.0 * u;  // openness is a half and what is added to it
+    allowed[4] += 8.0 * u;  // openness is a half and what is added to it
+    const double H = c.numbers[4], p = c.numbers[9];
     // Where the mean of the layers reaches 0 or 1 the ground ends in a plain: its slope jumps.
-    const double h = std::pow(c.answers[0] / std::fmax(c.numbers[4], faint), 1.0 / std::fmax(c.numbers[9], 1e-3));
+    const double h = std::pow(c.answers[0] / std::fmax(H, faint), 1.0 / std::fmax(p, 1e-3));
     const double known = (12.0 + c.numbers[6]) * u;
+    // Layers that are nearly too fine to be shown have half a cell a footprint; noise is at most so steep.
+    const double finest = c.numbers[5] * std::pow(c.numbers[8], c.numbers[6] - 1.0), last = 0.5 / c.numbers[3];
+    constexpr double steepest = 16.0;
+    if (finest > 0.8 * last) {
+      const double slope = weight * steepest * last * f64::height_power_slope(h, H, p);
+      for (std::size_t i = 1; i < 4; ++i) allowed[i] += slope;
+    }
     if (h <= known || h >= 1.0 - known) std::fill(allowed.begin() + 1, allowed.end(), anything);
     return allowed;
   };
   return made;
+}
+
+// Whether some centre near a place is as far from the sphere as craters may be: then rounding decides of a crater
+// whether it is there.
+bool has_doubtful_crater(const Case& c, double known) {
+  const glm::dvec3 direction(c.numbers[0], c.numbers[1], c.numbers[2]);
+  const unsigned seed = static_cast<unsigned>(c.numbers[7]) << 16U | static_cast<unsigned>(c.numbers[8]);
+  double frequency = c.numbers[5];
+  for (int i = 0; i < static_cast<int>(c.numbers[6]); ++i) {
+    const glm::ivec3 cell(glm::floor(direction * frequency - 0.5));
+    for (int k = 0; k < 8; ++k) {
+      const glm::ivec3 corner = cell + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2);
+      const glm::dvec3 dice = f64::hash_parts(f64::hash_cell(corner, f64::crater_seed(i, seed))) / 1023.0;
+      const glm::dvec3 centre = glm::dvec3(corner) + dice;
+      const double from_origin = glm::length(centre), from_sphere = std::fabs(from_origin - frequency);
+      const bool near = glm::distance(centre / from_origin, direction) * frequency < 0.5;
+      if (near && std::fabs(from_sphere - f64::crater_shell) < known * frequency) return true;
+    }
+    frequency *= f64::crater_step;
+  }
+  return false;
 }
 
 Function craters() {
@@ -51,7 +87,16 @@ Function craters() {
   f.rarity = 10;
   f.on_cpu = 16.0;
   f.on_gpu = 16.0;
-  return function_of(f);
+  Function made = function_of(f);
+  made.allowed = [of_arguments = made.allowed](const Case& c) {
+    Numbers allowed = of_arguments(c);
+    const double depth = weight * c.numbers[4];
+    allowed[0] += depth / c.numbers[5];
+    for (std::size_t i = 1; i < 4; ++i) allowed[i] += depth;
+    if (has_doubtful_crater(c, 16.0 * u)) std::fill(allowed.begin(), allowed.end(), anything);
+    return allowed;
+  };
+  return made;
 }
 
 Function swell() {

@@ -69,6 +69,52 @@ Function star_light() {
   return function_of(f);
 }
 
+Function band_brightness() {
+  Formula f;
+  f.name = "band_brightness";
+  f.args = {{"direction", Kind::triple, "", components},
+            {"normal", Kind::triple, "", components},
+            of_host({"seed", Kind::whole, "", seeds})};
+  f.outputs = {{"part", 0}};
+  f.made_from = one;
+  f.fit = [](Json& args, Random& random) {
+    // Along the band, for beyond it there is nothing.
+    const glm::dvec3 normal = triple(args, "normal"), place = triple(args, "direction");
+    args["direction"] = unit(place + (random.between(-0.3, 0.3) - glm::dot(place, normal)) * normal);
+  };
+  f.on_cpu = 16.0;
+  f.on_gpu = 16.0;
+  return function_of(f);
+}
+
+Function town_light() {
+  Formula f;
+  f.name = "town_light";
+  f.args = {{"place", Kind::triple, "radii", {-2.0, 2.0}},
+            {"offset", Kind::triple, "radii", {-1e3, 1e3}},
+            {"brightness", Kind::number, "", parts},
+            {"color", Kind::spread, "", parts},
+            {"all", Kind::number, "", {0.0, 20.0}},
+            {"pixel", Kind::number, "rad", {1e-6, 0.1}},
+            scene_argument()};
+  f.outputs = {{"light", 0, 3}, {"radius", 3}};
+  f.fit = [](Json& args, Random& random) {
+    place_eye(args["scene"], random);
+    const glm::dvec3 place = random.on_sphere() * random.between(0.9, 1.5);
+    args["place"] = list(place);
+    args["offset"] = list(glm::clamp(place - triple(args["scene"], "eye"), -1e3, 1e3));
+  };
+  f.rarity = 3;
+  Function made = function_of(f);
+  made.allowed = [of_arguments = made.allowed](const Case& c) {
+    Numbers allowed = of_arguments(c);
+    // How many lights are on is what the daylight leaves of 1.
+    for (std::size_t i = 0; i < 3; ++i) allowed[i] += 4.0 * u * 4.0 * c.numbers[10] * c.numbers[6];
+    return allowed;
+  };
+  return made;
+}
+
 Function tangent_from_sun() {
   Formula f;
   f.name = "tangent_from_sun";
@@ -141,8 +187,8 @@ Function srgb() {
 }  // namespace
 
 std::vector<Function> sky_functions() {
-  return {ring_opacity(), ring_veil(),    star_light(), tangent_from_sun(),
-          disc_of_sun(),  glare_of_sun(), tone_map(),   srgb()};
+  return {ring_opacity(),     ring_veil(),   star_light(),   band_brightness(), town_light(),
+          tangent_from_sun(), disc_of_sun(), glare_of_sun(), tone_map(),        srgb()};
 }
 
 }  // namespace terrella::probe
