@@ -40,16 +40,20 @@ Function terrain_height() {
     Numbers allowed = of_arguments(c);
     allowed[4] += 8.0 * u;  // openness is a half and what is added to it
     const double H = c.numbers[4], p = c.numbers[9];
+    if (allowed[4] > 0.1) allowed[4] = anything;  // as much may make a hollow of a crest
     // Where the mean of the layers reaches 0 or 1 the ground ends in a plain: its slope jumps.
     const double h = std::pow(c.answers[0] / std::fmax(H, faint), 1.0 / std::fmax(p, 1e-3));
     const double known = (12.0 + c.numbers[6]) * u;
+    // Noise itself is known no better than to some u, however slowly it changes; ridges multiply that at their edges.
+    const double steepened = f64::height_power_slope(h, H, p);
+    const double edge = c.numbers[10] > 0.5 ? 1.0 + c.numbers[11] : 1.0;
+    double slope = known * edge * c.numbers[5] * steepened;
+    allowed[0] += known * steepened;
     // Layers that are nearly too fine to be shown have half a cell a footprint; noise is at most so steep.
     const double finest = c.numbers[5] * std::pow(c.numbers[8], c.numbers[6] - 1.0), last = 0.5 / c.numbers[3];
     constexpr double steepest = 16.0;
-    if (finest > 0.8 * last) {
-      const double slope = weight * steepest * last * f64::height_power_slope(h, H, p);
-      for (std::size_t i = 1; i < 4; ++i) allowed[i] += slope;
-    }
+    if (finest > 0.8 * last) slope += weight * steepest * last * steepened;
+    for (std::size_t i = 1; i < 4; ++i) allowed[i] += slope;
     if (h <= known || h >= 1.0 - known) std::fill(allowed.begin() + 1, allowed.end(), anything);
     return allowed;
   };

@@ -67,7 +67,7 @@ TEST(ProbeCommand, AnswersBeforeTheNextIsAsked) {
 TEST(ProbeCommand, TriesItselfAndPrintsATable) {
   const Ran ran = run("PROGRAM probe --fuzz 20 --markdown");
   EXPECT_EQ(ran.code, 0);
-  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 53);
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 55);
 }
 
 TEST(ProbeCommand, BadOptionsAreTheUsersMistake) {
