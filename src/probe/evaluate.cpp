@@ -4,28 +4,18 @@
 #include "formulas/formulas.hpp"
 
 // One body, for as many numbers as it was given.
-#define BODIES                                                                               \
-  struct Bodies {                                                                            \
-    const Real* numbers;                                                                     \
-    Real* answers;                                                                           \
-    Real num(int i) const { return numbers[i]; }                                             \
-    vec3 triple(int i) const { return vec3(num(i), num(i + 1), num(i + 2)); }                \
-    uint bits(int i) const { return uint(num(i)) * 65536U + uint(num(i + 1)); }              \
-    void put(int i, Real x) const { answers[i] = x; }                                        \
-    void put3(int i, const vec3& v) const { put(i, v.x), put(i + 1, v.y), put(i + 2, v.z); } \
-    Atmosphere atmosphere(int i) const {                                                     \
-      Atmosphere a;                                                                          \
-      a.bottom = num(i);                                                                     \
-      a.thickness = num(i + 1);                                                              \
-      a.rayleigh = triple(i + 2);                                                            \
-      a.rayleigh_height = num(i + 5);                                                        \
-      a.mie = triple(i + 6);                                                                 \
-      a.mie_height = num(i + 9);                                                             \
-      a.ozone = triple(i + 10);                                                              \
-      a.ozone_center = num(i + 13);                                                          \
-      a.ozone_half = num(i + 14);                                                            \
-      return a;                                                                              \
-    }
+#define BODIES                                                                  \
+  struct Bodies {                                                               \
+    const Real* numbers;                                                        \
+    Real* answers;                                                              \
+    Real num(int i) const { return numbers[i]; }                                \
+    vec3 triple(int i) const { return vec3(num(i), num(i + 1), num(i + 2)); }   \
+    uint bits(int i) const { return uint(num(i)) * 65536U + uint(num(i + 1)); } \
+    void put(int i, Real x) const { answers[i] = x; }                           \
+    void put3(int i, const vec3& v) const { put(i, v.x), put(i + 1, v.y), put(i + 2, v.z); }
+
+#define READER(type, name, ...) \
+  type name(int i) const { __VA_ARGS__ }
 
 #define BODY(name, ...) \
   void run_##name() const { __VA_ARGS__ }
@@ -34,6 +24,7 @@ namespace terrella::f32 {
 namespace {
 BODIES
 #include "probe/bodies.inc"
+#include "probe/readers.inc"
 };
 }  // namespace
 }  // namespace terrella::f32
@@ -42,11 +33,13 @@ namespace terrella::f64 {
 namespace {
 BODIES
 #include "probe/bodies.inc"
+#include "probe/readers.inc"
 };
 }  // namespace
 }  // namespace terrella::f64
 
 #undef BODY
+#undef READER
 
 namespace terrella::probe {
 namespace {
@@ -63,6 +56,12 @@ constexpr Compiled all[] = {
 #include "probe/bodies.inc"
 };
 #undef BODY
+
+#define READER(type, name, ...) #type " " #name "(int i) { " #__VA_ARGS__ " }\n"
+constexpr std::string_view readers =
+#include "probe/readers.inc"
+    ;
+#undef READER
 
 const Compiled& find(std::string_view name) {
   for (const Compiled& one : all) {
@@ -84,6 +83,8 @@ Answers<double> evaluate_f64(std::string_view function, std::span<const double> 
   (f64::Bodies{numbers.data(), answers.data()}.*find(function).twice)();
   return answers;
 }
+
+std::string_view readers_text() { return readers; }
 
 std::string_view body_text(std::string_view function) { return find(function).text; }
 

@@ -17,7 +17,10 @@ using Answers = std::array<Real, kMostAnswers>;
 Answers<float> evaluate_f32(std::string_view function, std::span<const float> numbers);
 Answers<double> evaluate_f64(std::string_view function, std::span<const double> numbers);
 
-// The same as GLSL, the inside of a function without arguments.
+// What reads the library's structs from the numbers, as functions of GLSL that bodies call.
+std::string_view readers_text();
+
+// A function's body as GLSL, the inside of a function without arguments.
 std::string_view body_text(std::string_view function);
 
 }  // namespace terrella::probe

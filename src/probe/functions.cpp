@@ -10,7 +10,8 @@ std::span<const Function> functions() {
     std::vector<Function> joined;
     for (std::vector<Function>& subject :
          std::vector<std::vector<Function>>{geometry_functions(), wave_functions(), height_functions(),
-                                            surface_functions(), air_functions(), noise_functions()}) {
+                                            surface_functions(), air_functions(), noise_functions(), ground_functions(),
+                                            light_functions(), water_functions(), cloud_functions(), sky_functions()}) {
       joined.insert(joined.end(), std::make_move_iterator(subject.begin()), std::make_move_iterator(subject.end()));
     }
     return joined;

@@ -30,19 +30,9 @@ vec3 triple(int i) { return vec3(num(i), num(i + 1), num(i + 2)); }
 uint bits(int i) { return uint(num(i)) * 65536u + uint(num(i + 1)); }
 void put(int i, float x) { answers[i] = x; }
 void put3(int i, vec3 v) { put(i, v.x); put(i + 1, v.y); put(i + 2, v.z); }
-Atmosphere atmosphere(int i) {
-  Atmosphere a;
-  a.bottom = num(i);
-  a.thickness = num(i + 1);
-  a.rayleigh = triple(i + 2);
-  a.rayleigh_height = num(i + 5);
-  a.mie = triple(i + 6);
-  a.mie_height = num(i + 9);
-  a.ozone = triple(i + 10);
-  a.ozone_center = num(i + 13);
-  a.ozone_half = num(i + 14);
-  return a;
-}
+)";
+
+constexpr const char* kMain = R"(
 void main() {
   for (int i = 0; i < 8; ++i) answers[i] = 0.0;
 )";
@@ -82,7 +72,8 @@ GLuint Gpu::program_of(std::string_view function) {
   const auto known = programs_.find(function);
   if (known != programs_.end()) return known->second.name();
   gl::ProgramHandle program;
-  attach(program.name(), GL_VERTEX_SHADER, library_text() + kBefore + std::string(body_text(function)) + kAfter);
+  attach(program.name(), GL_VERTEX_SHADER,
+         library_text() + kBefore + std::string(readers_text()) + kMain + std::string(body_text(function)) + kAfter);
   attach(program.name(), GL_FRAGMENT_SHADER, "out vec4 c;\nvoid main() { c = vec4(0.0); }\n");
   const char* outputs[] = {"answers_low", "answers_high", "finished"};
   glTransformFeedbackVaryings(program.name(), 3, outputs, GL_INTERLEAVED_ATTRIBS);

@@ -59,5 +59,10 @@ std::vector<Function> height_functions();
 std::vector<Function> surface_functions();
 std::vector<Function> air_functions();
 std::vector<Function> noise_functions();
+std::vector<Function> ground_functions();
+std::vector<Function> light_functions();
+std::vector<Function> water_functions();
+std::vector<Function> cloud_functions();
+std::vector<Function> sky_functions();
 
 }  // namespace terrella::probe

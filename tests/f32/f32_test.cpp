@@ -1,5 +1,6 @@
-// Single precision against double, for every function of the shader library, over its stated domain. u is half a unit
-// in the last place of single precision; bounds are those that each formula's form allows.
+// Single precision against double, for what the functions that the probe holds (tests/probe) are made of, and over the
+// domain of a planet. u is half a unit in the last place of single precision; bounds are those that each formula's form
+// allows.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -42,15 +43,6 @@ TEST(SinglePrecision, NoiseToldFromANearCellKeepsItsPrecisionAtAnyFrequency) {
   }
 }
 
-TEST(SinglePrecision, SmoothAbs) {
-  Places places(3U);
-  for (int i = 0; i < tries; ++i) {
-    const float x = rounded(places.between(-1e3, 1e3) * std::pow(10.0, places.between(-6.0, 0.0)));
-    const float k = rounded(std::pow(10.0, places.between(-2.0, 3.0)));
-    ASSERT_NEAR(f32::smooth_abs(x, k), f64::smooth_abs(exact(x), exact(k)), 8.0 * u * std::fabs(exact(x)));
-  }
-}
-
 // In double precision these are the library's, so this holds the polynomials to the true functions.
 TEST(SinglePrecision, CosineAndSineOfAnAngle) {
   Places places(20U);
@@ -74,44 +66,6 @@ TEST(SinglePrecision, ArcOfASineAndACosine) {
   EXPECT_EQ(f32::arc(0.0F, 1.0F), 0.0F);
   EXPECT_NEAR(f32::arc(0.0F, -1.0F), std::numbers::pi, 4e-7);
   EXPECT_NEAR(f32::arc(1.0F, 0.0F), 0.5 * std::numbers::pi, 4e-7);
-}
-
-TEST(SinglePrecision, HeightPower) {
-  Places places(4U);
-  for (int i = 0; i < tries; ++i) {
-    const float h = rounded(places.between(-1e-7, 1.0 + 1e-7)), p = rounded(places.between(0.0, 16.0));
-    const double expected = f64::height_power(exact(h), 0.25, exact(p));
-    const double x = std::fmin(std::fmax(exact(h), 1e-30), 1.0);
-    const double bound = u * (8.0 + 4.0 * std::fabs(exact(p) * std::log2(x))) * expected + 1e-37;
-    ASSERT_NEAR(f32::height_power(h, 0.25F, p), expected, bound);
-  }
-}
-
-TEST(SinglePrecision, Schlick) {
-  for (int i = -10; i <= 1010; ++i) {
-    const float c = static_cast<float>(i) / 1000.0F;
-    const double expected = f64::schlick(exact(c), exact(0.02F));
-    ASSERT_NEAR(f32::schlick(c, 0.02F), expected, 8.0 * u * expected);
-  }
-}
-
-TEST(SinglePrecision, FresnelAlpha) {
-  Places places(5U);
-  for (int i = 0; i < tries; ++i) {
-    const float c = rounded(places.between(-0.1, 1.1)), a = rounded(places.between(0.0, 32.0));
-    const double expected = f64::fresnel_alpha(exact(c), exact(a));
-    const double x = std::fmax(1.0 - std::fmin(std::fmax(exact(c), 0.0), 1.0), 1e-30);
-    const double condition = u * (8.0 + 4.0 * std::fabs(exact(a) * std::log2(x)) + 2.0 * exact(a));
-    ASSERT_NEAR(f32::fresnel_alpha(c, a), expected, condition * expected + 1e-37);
-  }
-}
-
-TEST(SinglePrecision, WrapDiffuse) {
-  Places places(6U);
-  for (int i = 0; i < tries; ++i) {
-    const float c = rounded(places.between(-1.0, 1.0)), w = rounded(places.between(0.0, 1.0));
-    ASSERT_NEAR(f32::wrap_diffuse(c, w), f64::wrap_diffuse(exact(c), exact(w)), 4.0 * u);
-  }
 }
 
 TEST(SinglePrecision, AirPathFromNearAndFar) {
@@ -172,47 +126,6 @@ TEST(SinglePrecision, TerrainHeight) {
   }
   EXPECT_LT(worst, 2e-7);           // measured 8.5e-8 planet radii
   EXPECT_LT(worst_gradient, 4e-4);  // measured 1.9e-4, of slopes up to 2
-}
-
-TEST(SinglePrecision, WavesOnTheUnitSphere) {
-  Places places(9U);
-  for (int i = 0; i < tries / 4; ++i) {
-    f32::Wave wave;
-    wave.origin = glm::vec3(places.on_sphere());
-    wave.amplitude = 0.01F;
-    wave.wavenumber = rounded(places.between(10.0, 300.0));
-    wave.phase = rounded(places.between(-3.1, 3.1));
-    wave.pinch = 0.002F;
-    f64::Wave precise;
-    precise.origin = glm::dvec3(wave.origin);
-    precise.amplitude = exact(wave.amplitude);
-    precise.wavenumber = exact(wave.wavenumber);
-    precise.phase = exact(wave.phase);
-    precise.pinch = exact(wave.pinch);
-    const glm::vec3 v = glm::normalize(glm::vec3(places.on_sphere()));
-    f32::Frame frame;
-    frame.east = f32::perpendicular(v);
-    frame.north = glm::cross(v, frame.east);
-    f64::Frame precise_frame;
-    precise_frame.east = glm::dvec3(frame.east);
-    precise_frame.north = glm::dvec3(frame.north);
-    f32::WaveSum a = f32::no_waves();
-    f64::WaveSum b = f64::no_waves();
-    f32::add_wave(a, v, frame, wave, 1.0F);
-    f64::add_wave(b, glm::dvec3(v), precise_frame, precise, 1.0);
-    // The place on the sphere itself is known to u; the wavenumber turns that into phase.
-    const double bound = 1e-5 + 16.0 * u * precise.wavenumber;
-    ASSERT_NEAR(a.height, b.height, bound * precise.amplitude);
-    ASSERT_NEAR(a.slope.x, b.slope.x, 2.0 * bound * precise.amplitude * precise.wavenumber);
-  }
-}
-
-TEST(SinglePrecision, ToneAndSrgb) {
-  for (int i = 0; i <= 2000; ++i) {
-    const float x = static_cast<float>(i) / 100.0F;
-    ASSERT_NEAR(f32::filmic(x), f64::filmic(exact(x)), 1e-6);
-    ASSERT_NEAR(f32::srgb_encode(x / 20.0F), f64::srgb_encode(exact(x / 20.0F)), 1e-6);
-  }
 }
 
 }  // namespace
