@@ -14,7 +14,7 @@ vec3 direction_from_anchor(vec3 offset) {
 
 // What the layers finer than the map add.
 struct FineLayers {
-  vec3 gradient;  // to that of the sum of layers
+  vec3 gradient;  // to that of the mean of all layers
   float grain;    // to the colour, about -1..1: what is flat shows them, too
 };
 
@@ -28,7 +28,7 @@ FineLayers fine_layers(vec3 from_anchor, float footprint) {
   fine.grain = 0.0;
   float strength = 0.4;
   int first = int(ground_map_scale.y), end = int(ground_map_scale.z);
-  float amplitude = enters * pow(terrain_persistence, float(first));
+  float amplitude = enters * layer_anchor.w;
   for (int i = first; i < end; ++i) {
     float frequency = layer_place[i].w;
     float weight = layer_weight(frequency, footprint);
@@ -48,7 +48,7 @@ FineLayers fine_layers(vec3 from_anchor, float footprint) {
 // The ground with the layers that the map can't hold. up: unit, of the place.
 GroundAt refined(GroundAt ground, FineLayers fine, vec3 up) {
   float slope = height_power_slope_at(ground.height + sea.x - 1.0, terrain_height, terrain_power);
-  vec3 gradient = fine.gradient * slope / amplitude_sum(terrain_persistence, terrain_octaves);
+  vec3 gradient = fine.gradient * slope;
   ground.gradient += gradient - dot(gradient, up) * up;
   return ground;
 }

@@ -1,6 +1,4 @@
 // Land on the water's mesh where the map of the ground is as fine as pixels.
 #include "water_surface.glsl"
 
-void emit_land(vec3 up) {
-  emit_ground(ground_at(textureLod(ground_map, up, levels.z), up), 0.0);
-}
+void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {}

@@ -2,7 +2,9 @@
 #include "water_surface.glsl"
 #include "fine_layers.glsl"
 
-void emit_land(vec3 up) {
+void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {
+  if (depth > 0.0) return;
   FineLayers fine = fine_layers(direction_from_anchor(surface_from_eye), pixel_footprint(up, surface_from_eye, 0.12));
-  emit_ground(refined(ground_at(textureLod(ground_map, up, levels.z), up), fine, up), fine.grain);
+  land = refined(land, fine, up);
+  grain = fine.grain;
 }

@@ -1,10 +1,9 @@
 // The surface of the water: what its ways of finding normals have in common.
-#include "ground_surface.glsl"
+#include "ground_map.glsl"
+#include "output.glsl"
 #include "lib/water.glsl"
 
-// The shore belongs to the map of the ground, which is finer than either mesh: where it says land, the water's mesh shows
-// land, as finely as the ground beside it. up: unit.
-void emit_land(vec3 up);
+in vec3 surface_from_eye;
 
 WaterLook water_look() {
   WaterLook look;
@@ -22,26 +21,29 @@ WaterLook water_look() {
   return look;
 }
 
-// What comes from under the surface. w: of a depth above 0; ray: unit, from the eye.
+// Adds to land what the map of the ground can't hold, and the grain of its colour; nothing under water. up: unit.
+void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth);
+
+// What comes from under the surface. ray: unit, from the eye.
 vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
+  float deep = max(w.depth, 0.0);
   vec3 refracted = refracted_ray(ray, w.normal, water_look());
   float dive = dive_of(refracted, at.up);
   // The bottom is where the ray meets it: one step from the depth below the surface comes close.
-  vec3 bottom = normalize(at.up + refracted * (w.depth / dive));
+  vec3 bottom = normalize(at.up + refracted * (deep / dive));
   GroundAt found = ground_at(textureLod(ground_map, bottom, levels.z), bottom);
-  found.height = min(found.height, 0.0);
-  float depth = 0.5 * (w.depth - found.height);
-  vec3 normal = slope_normal(bottom, 1.0, found.gradient);
-  vec3 albedo = ground_albedo(bottom, found, normal, scene_bands());
+  found.height = w.depth > 0.0 ? min(found.height, 0.0) : found.height;
+  float depth = max(0.5 * (deep - found.height), 0.0);
+  float grain = 0.0;
+  refine_land(found, grain, bottom, w.depth);
+  vec3 normal = slope_normal(bottom, 1.0 + max(found.height, 0.0), found.gradient);
+  vec3 albedo = grained(ground_albedo(bottom, found, normal, scene_bands()), grain);
   return light_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
 }
 
-// up: unit, of the still water; height: over it, radii.
+// The shore belongs to the map of the ground, which is finer than either mesh: where it says land, the water's mesh shows
+// land. There nothing is refracted and nothing mirrored, which costs less than a second way of shading would. up: unit, of the still water; height: over it, radii.
 void emit_water(Water w, vec3 up, float height) {
-  if (w.depth <= 0.0) {
-    emit_land(up);
-    return;
-  }
   SceneLight scene = scene_light();
   LightAt at = light_at(up, 0.0, scene);
   vec3 ray = normalize(surface_from_eye);

@@ -141,8 +141,10 @@ vec3 light_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at,
 }
 
 // Light that the surface sends to the eye, before the air. ray: unit, from the eye; below: what comes from under it;
-// mirrored: what is seen in it; shade: part of the sunlight left by the clouds.
+// mirrored: what is seen in it; shade: part of the sunlight left by the clouds. Where there is land (depth at most 0) the
+// surface is not seen.
 vec3 water_light(Water w, LightAt at, vec3 ray, vec3 below, vec3 mirrored, float shade, WaterLook look, SceneLight scene) {
+  float wet = w.depth > 0.0 ? 1.0 : 0.0;
   vec3 sunlight = at.sun * shade;
   vec3 light = below;
   if (look.shading == 0) {
@@ -152,11 +154,11 @@ vec3 water_light(Water w, LightAt at, vec3 ray, vec3 below, vec3 mirrored, float
     between *= inversesqrt(max(dot(between, between), 1.0e-12));  // no direction where one looks into the sun
     float gleam = glitter(dot(w.normal, between), cosine, dot(w.normal, scene.sun), w.roughness);
     float r_sun = schlick(max(dot(scene.sun, between), 0.0), r0);
-    light = mix(light, mirrored, schlick(cosine, r0)) + sunlight * min(gleam * r_sun, 40.0);
+    light = mix(light, mirrored, wet * schlick(cosine, r0)) + sunlight * (wet * min(gleam * r_sun, 40.0));
   } else {
-    light += sunlight * (phong(dot(reflect(ray, w.normal), scene.sun), look.shininess) * 0.08);
+    light += sunlight * (wet * phong(dot(reflect(ray, w.normal), scene.sun), look.shininess) * 0.08);
   }
   vec3 foam = look.foam_color * (sunlight * wrap_diffuse(dot(w.normal, scene.sun), 0.1) + skylight(at, w.normal, scene)) * 0.55;
-  light = mix(light, foam, w.foam);
-  return light + look.color * (look.glow * (1.0 - 0.95 * w.foam));
+  light = mix(light, foam, wet * w.foam);
+  return light + look.color * (wet * look.glow * (1.0 - 0.95 * w.foam));
 }

@@ -125,7 +125,7 @@ double GroundIcosphere::map_texel_angle() const { return texel_angle((fine_done_
 
 void GroundIcosphere::draw(const Frame& frame) {
   if (refines_ground(frame.needs)) {
-    const LayerBlock block = layer_block(frame.scene, frame.pose);
+    const LayerBlock block = layer_block(frame.scene, frame.pose, frame.needs.pixel_octaves_first);
     layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   }
   draw_program_.use(frame.effort == Effort::complete);

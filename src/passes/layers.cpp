@@ -15,13 +15,15 @@ constexpr double highest_frequency = 1e8;
 
 }  // namespace
 
-LayerBlock layer_block(const Scene& scene, const Pose& pose) {
+LayerBlock layer_block(const Scene& scene, const Pose& pose, int first) {
   LayerBlock block{};
   const glm::dvec3 anchor = glm::normalize(pose.eye);
-  block.anchor = glm::vec4(glm::dvec4(anchor, 0.0));
+  const auto& terrain = scene.terrain;
+  const double part = std::pow(terrain.persistence, first) / f64::amplitude_sum(terrain.persistence, terrain.octaves);
+  block.anchor = glm::vec4(glm::dvec4(anchor, part));
   const auto seed = static_cast<unsigned>(scene.planet.seed);
-  double frequency = scene.terrain.frequency;
-  for (int i = 0; i < scene.terrain.octaves; ++i) {
+  double frequency = terrain.frequency;
+  for (int i = 0; i < terrain.octaves; ++i) {
     const double f = std::fmin(frequency, highest_frequency);
     const glm::dvec3 q = anchor * f + glm::dvec3(f64::layer_offset(i, seed));
     // The corner of the skewed lattice next to q, and what is left from there (simplex_of does the same).
@@ -30,7 +32,7 @@ LayerBlock layer_block(const Scene& scene, const Pose& pose) {
     const auto at = static_cast<std::size_t>(i);
     block.cell.at(at) = glm::ivec4(glm::ivec3(cell), 0);
     block.place.at(at) = glm::vec4(glm::dvec4(place, f));
-    frequency *= scene.terrain.lacunarity;
+    frequency *= terrain.lacunarity;
   }
   return block;
 }

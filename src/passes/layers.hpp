@@ -19,6 +19,7 @@ struct LayerBlock {
   std::array<glm::vec4, most_layers> place;
 };
 
-LayerBlock layer_block(const Scene& scene, const Pose& pose);
+// first: the layer that pixels begin with.
+LayerBlock layer_block(const Scene& scene, const Pose& pose, int first);
 
 }  // namespace terrella

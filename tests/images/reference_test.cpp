@@ -191,7 +191,7 @@ const Case cases[] = {
        return scene;
      },
      42.1, 0.012, 0.0023, 0.012, 1.8},
-    {"temperate", [] { return preset_scene("temperate"); }, 25.0, 0.068, 0.0086, 0.05, 10.8},
+    {"temperate", [] { return preset_scene("temperate"); }, 25.0, 0.068, 0.0086, 0.05, 9.4},
     {"archipelago", [] { return preset_scene("archipelago"); }, 21.9, 0.094, 0.0092, 0.055, 5.9},
     {"alps", [] { return preset_scene("alps"); }, 16.2, 0.17, 0.0094, 0.3, 35},
     {"storm", [] { return preset_scene("storm"); }, 21.8, 0.11, 0.0077, 0.066, 14},
@@ -200,7 +200,7 @@ const Case cases[] = {
     {"ocean", [] { return preset_scene("ocean"); }, 24.6, 0.078, 0.015, 0.052, 4.6},
     {"rings", [] { return preset_scene("rings"); }, 20.7, 0.14, 0.0083, 0.043, 6.4},
     {"desert", [] { return preset_scene("desert"); }, 19.4, 0.16, 0.0056, 0.029, 45},
-    {"ice", [] { return preset_scene("ice"); }, 17.5, 0.17, 0.007, 0.056, 26.5},
+    {"ice", [] { return preset_scene("ice"); }, 17.5, 0.17, 0.007, 0.056, 24},
     {"moon", [] { return preset_scene("moon"); }, 29.5, 0.054, 0.0023, 0.013, 15},
     {"lava", [] { return preset_scene("lava"); }, 18.6, 0.13, 0.0061, 0.053, 45},
 };

@@ -354,6 +354,19 @@ TEST(WaterLight, GlittersTheSameWithSunAndEyeExchanged) {
   }
 }
 
+TEST(WaterLight, IsNotSeenWhereThereIsLand) {
+  const f64::SceneLight scene = test::bare_scene(risen(0.7, -1.0));
+  const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
+  for (const int shading : {0, 1}) {
+    f64::WaterLook look = some_look();
+    look.shading = shading;
+    look.glow = 3.0;
+    for (const double depth : {0.0, -0.1}) {
+      expect_equal(f64::water_light(level(1.0, depth), at, -risen(0.7), sand, white, 1.0, look, scene), sand);
+    }
+  }
+}
+
 TEST(WaterLight, GlittersMostWhereItMirrorsTheSunAndNotThroughClouds) {
   const glm::dvec3 sun = risen(0.7, -1.0);
   const double mirror = sun_glitter(sun, risen(0.7), 0.2);

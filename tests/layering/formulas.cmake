@@ -11,7 +11,7 @@ set(allowed
   "air/fresnel.vert mix sin cos"                                 # corners of a ring on the screen
   "clouds/bake.frag sqrt"                                        # how far apart texels are
   "clouds/shell_near.frag smoothstep exp2 pow"                   # which layers pixels add to the map's
-  "fine_layers.glsl smoothstep pow sqrt"                         # the same
+  "fine_layers.glsl smoothstep sqrt"                             # the same
   "ground/icosphere_near.frag sqrt"                              # how much of it a pixel covers
   "rings/plane.vert mix sin cos")                                # corners of an annulus
 
