@@ -42,7 +42,8 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
 }
 
 // The shore belongs to the map of the ground, which is finer than either mesh: where it says land, the water's mesh shows
-// land. There nothing is refracted and nothing mirrored, which costs less than a second way of shading would. up: unit, of the still water; height: over it, radii.
+// land. There nothing is refracted and nothing mirrored, which costs less than a second way of shading would. up: unit, of
+// the still water; height: over it, radii.
 void emit_water(Water w, vec3 up, float height) {
   SceneLight scene = scene_light();
   LightAt at = light_at(up, 0.0, scene);
