@@ -14,6 +14,11 @@ constexpr int water_calm = 2;  // place in the choice list of params.inc
 // Of a slope or a stretch, in wavenumbers of its wave: one that fades around its origin changes by half as much again.
 constexpr double fastest_change = 1.5;
 
+// At most as much does water move aside, more or less than its neighbour, per distance between their still places.
+double widest_stretch(const f64::WaveSum& sum) {
+  return glm::length(glm::dvec4(sum.stretch_ee, sum.stretch_en, sum.stretch_ne, sum.stretch_nn));
+}
+
 }  // namespace
 
 Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
@@ -87,8 +92,7 @@ WaterAt Sea::over(const glm::dvec3& direction, bool deep, double beside) const {
 double Sea::most_of_deep_water(const WaterAt& middle, double chord) const {
   const f64::WaveSum& sum = middle.sum;
   // The least by which water over a direction moves as its still place does.
-  const double widest = glm::length(glm::dvec4(sum.stretch_ee, sum.stretch_en, sum.stretch_ne, sum.stretch_nn));
-  const double least = 0.98 * (1.0 - widest);
+  const double least = 0.98 * (1.0 - widest_stretch(sum));
   const double under_root = least * least - 2.0 * most_squeeze_ * chord;
   double away = chord + 2.0 * most_shift_;
   if (least > 0.0 && under_root > 0.0) away = std::min(away, 1.02 * 2.0 * chord / (least + std::sqrt(under_root)));
@@ -116,8 +120,7 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
         squeeze += fastest_change * wave.pinch * wave.wavenumber * wave.wavenumber;
       }
     }
-    const double widest = glm::length(glm::dvec4(felt.stretch_ee, felt.stretch_en, felt.stretch_ne, felt.stretch_nn));
-    const double shift = glm::length(felt.shift);
+    const double widest = widest_stretch(felt), shift = glm::length(felt.shift);
     double nearer = away;
     for (int i = 0; i < 4; ++i) {
       const double moved = shift + any_shift + widest * nearer + 0.5 * squeeze * nearer * nearer;

@@ -105,10 +105,13 @@ Sample Tracer::measured(const Ray& ray, const std::optional<Surface>& surface) c
 
 double Tracer::shade_at(const glm::dvec3& place) const { return clouds_ ? clouds_->shade(place, light_.sun) : 1.0; }
 
-glm::dvec3 Tracer::light_of_ground(const SeenGround& ground) const {
-  return f64::ground_light(f64::ground_albedo(ground.up, ground.at, ground.normal, bands_), ground.normal,
-                           f64::light_at(ground.up, ground.radius - 1.0, light_), shade_at(ground.radius * ground.up),
-                           light_);
+f64::LightAt Tracer::light_over(const SeenGround& ground) const {
+  return f64::light_at(ground.up, ground.radius - 1.0, light_);
+}
+
+glm::dvec3 Tracer::light_of_ground(const SeenGround& ground, const f64::LightAt& at) const {
+  return f64::ground_light(f64::ground_albedo(ground.up, ground.at, ground.normal, bands_), ground.normal, at,
+                           shade_at(ground.radius * ground.up), light_);
 }
 
 glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const {
@@ -124,13 +127,12 @@ glm::dvec3 Tracer::light_mirrored(const Ray& mirrored, const f64::LightAt& at) c
   if (const auto t = ground_ ? ground_->hit(mirrored, infinity, resolution_from(mirrored.origin)) : std::nullopt) {
     const SeenGround ground = ground_at(mirrored.at(*t));
     // Before a place under water there are other waves, which mirror the sky in turn.
-    if (ground.at.height > 0.0) return light_of_ground(ground);
+    if (ground.at.height > 0.0) return light_of_ground(ground, light_over(ground));
   }
   return f64::sky_along(at, mirrored.direction, light_);
 }
 
-glm::dvec3 Tracer::light_of_water(const Ray& ray, const SeenWater& water) const {
-  const f64::LightAt at = f64::light_at(water.at.still, 0.0, light_);
+glm::dvec3 Tracer::light_of_water(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const {
   const double shade = shade_at(water.at.still * sea_->still_radius());
   const glm::dvec3 refracted = f64::refracted_ray(ray.direction, water.look.normal, look_);
   const glm::dvec3 below = light_from_below({water.at.place, refracted}, at, shade);
@@ -201,12 +203,12 @@ Sample Tracer::sample(const glm::dvec2& pixel) const {
   if (surface) {
     const glm::dvec3 way = surface->distance * ray.direction;
     if (const SeenGround* ground = std::get_if<SeenGround>(&surface->what)) {
-      const f64::LightAt at = f64::light_at(ground->up, sample.height, light_);
-      light = f64::through_air(light_of_ground(*ground), at, way, light_);
+      const f64::LightAt at = light_over(*ground);
+      light = f64::through_air(light_of_ground(*ground, at), at, way, light_);
     } else {
       const SeenWater& water = std::get<SeenWater>(surface->what);
       const f64::LightAt at = f64::light_at(water.at.still, 0.0, light_);
-      light = f64::through_air(light_of_water(ray, water), at, way, light_);
+      light = f64::through_air(light_of_water(ray, water, at), at, way, light_);
     }
   } else {
     light = light_of_sky(ray);
