@@ -137,7 +137,7 @@ std::vector<Invariance> measure_invariances(Renderer& renderer, Extent extent) {
   for (const char* preset : {"moon", "alps", "desert"}) found.push_back(pops_by(renderer, preset));
   // Measured: 0, to the last bit.
   for (Invariance& repetition : repetitions(renderer, 1e-3)) found.push_back(std::move(repetition));
-  // Measured: 1.03 and 1.001.
+  // Measured: 1.01 and 1.001.
   found.push_back(moves_alike(renderer, "temperate", cheap("temperate"), Channel::color, 1.3));
   found.push_back(moves_alike(renderer, "storm", cheap("storm"), Channel::normal, 1.3));
   return found;

@@ -6,11 +6,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/check.hpp"
 #include "probe/arguments.hpp"
 #include "probe/evaluate.hpp"
 
 namespace terrella::probe {
 namespace {
+
+[[noreturn]] void no_formula_takes(const Arg& arg) { fail_check(__FILE__, __LINE__, "kind", std::string(arg.name)); }
 
 void flatten(Numbers& numbers, const Json& value, const Arg& arg) {
   switch (arg.kind) {
@@ -23,11 +26,7 @@ void flatten(Numbers& numbers, const Json& value, const Arg& arg) {
       }
       break;
     case Kind::spread: add(numbers, triple(value)); break;
-    case Kind::triple:
-    case Kind::pair:
-    case Kind::numbers:
-      for (const Json& one : value) numbers.push_back(one.get<double>());
-      break;
+    case Kind::triple: add(numbers, triple(value)); break;
     case Kind::word: {
       const auto found = std::find(arg.words.begin(), arg.words.end(), value.get<std::string>());
       numbers.push_back(static_cast<double>(found - arg.words.begin()));
@@ -42,6 +41,8 @@ void flatten(Numbers& numbers, const Json& value, const Arg& arg) {
         for (const Arg& field : arg.fields) flatten(numbers, one[field.name], field);
       }
       break;
+    case Kind::pair:
+    case Kind::numbers: no_formula_takes(arg);
   }
 }
 
@@ -53,10 +54,8 @@ void add_sizes(Numbers& sizes, std::span<const double> numbers, const Arg& arg) 
     case Kind::number: sizes.push_back(std::fabs(numbers[at])); break;
     case Kind::whole: sizes.resize(at + (arg.of_host ? 2 : 1)); break;
     case Kind::word: sizes.push_back(0.0); break;
-    case Kind::pair: sizes.resize(at + 2, std::hypot(numbers[at], numbers[at + 1])); break;
     case Kind::triple: sizes.resize(at + 3, std::hypot(numbers[at], numbers[at + 1], numbers[at + 2])); break;
     case Kind::spread:
-    case Kind::numbers:
       for (std::size_t i = at; i < at + 3; ++i) sizes.push_back(std::fabs(numbers[i]));
       break;
     case Kind::object:
@@ -68,6 +67,8 @@ void add_sizes(Numbers& sizes, std::span<const double> numbers, const Arg& arg) 
         for (const Arg& field : arg.fields) add_sizes(sizes, numbers, field);
       }
       break;
+    case Kind::pair:
+    case Kind::numbers: no_formula_takes(arg);
   }
 }
 
@@ -144,7 +145,7 @@ Json made_up(const Arg& arg, Random& random) {
     case Kind::pair:
     case Kind::numbers: break;
   }
-  return Json::array({within(), within()});
+  no_formula_takes(arg);
 }
 
 Function function_of(Formula formula) {
