@@ -1,7 +1,6 @@
 #include "app/session.hpp"
 
 #include <imgui.h>
-#include <imgui_impl_opengl3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,6 +21,9 @@ namespace terrella {
 namespace {
 
 constexpr double double_click_time = 0.3;  // s
+// Where nothing but the clock runs, the panel follows it at this pace: every new picture of the panel costs a frame a
+// third more on a processor, and nobody reads hundredths of a second.
+constexpr double clock_pace = 0.5;  // s
 constexpr std::size_t frames_timed = 60;
 constexpr std::ptrdiff_t most_notices = 24;
 
@@ -36,13 +38,6 @@ double field_of(double width, double height, glm::dvec2 covered = glm::dvec2(0.0
 double Session::seconds_by_the_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-
-struct Session::PanelPainter {
-  PanelPainter() { ImGui_ImplOpenGL3_Init(gl::caps().es ? "#version 300 es" : "#version 330 core"); }
-  ~PanelPainter() { ImGui_ImplOpenGL3_Shutdown(); }
-  PanelPainter(const PanelPainter&) = delete;
-  PanelPainter& operator=(const PanelPainter&) = delete;
-};
 
 Session::Session(Host host) : host_(std::move(host)), imgui_(ImGui::CreateContext()) {
   ImGui::GetIO().IniFilename = nullptr;
@@ -89,7 +84,7 @@ void Session::resize(int width, int height, double scale, bool fingers) {
   const bool large_rows = fingers || place.below;
   if (scale != scale_ || large_rows != large_rows_) {
     style_panel(static_cast<float>(scale), large_rows);
-    if (painter_) ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the font has another size; made anew when next drawn
+    if (painter_) painter_->forget_font();
   }
   panel_.put_at(place);
   large_rows_ = large_rows;
@@ -147,7 +142,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   advance_clock(elapsed);
   // The planet is shown first: a panel's font and programs would keep it waiting.
-  const bool panel_wanted = panel_shown_ && frames_ > 0 && (panel_frames_ > 0 || planet_stale_);
+  const bool clock_due = planet_stale_ && seconds_by_the_clock() - panel_ran_ >= clock_pace;
+  const bool panel_wanted = panel_shown_ && frames_ > 0 && (panel_frames_ > 0 || clock_due);
   if (panel_wanted) run_panel();
   hand_on_typed_ahead();
   if (panel_wanted && panel_.shows_presets()) draw_preset_picture();
@@ -161,7 +157,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   if (turn.drawn) {
     renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
-    if (panel_shown_ && painter_) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (panel_shown_ && painter_) painter_->draw(*ImGui::GetDrawData(), screen(framebuffer));
     if (panel_frames_ > 0) --panel_frames_;
   }
   turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
@@ -218,7 +214,7 @@ void Session::run_panel() {
   if (!painter_) painter_ = std::make_unique<PanelPainter>();
   // Two presses are told apart frame by frame: where frames are slow, a double click takes longer.
   io.MouseDoubleClickTime = static_cast<float>(double_click_time + 2.0 * last_elapsed_);
-  ImGui_ImplOpenGL3_NewFrame();
+  painter_->begin_frame();
   ImGui::NewFrame();
   if (imgui_input::waiting()) panel_frames_ = std::max(panel_frames_, 4);  // one for it, three to settle
   const Covered covered = panel_.covered();

@@ -13,6 +13,7 @@
 #include "app/camera_control.hpp"
 #include "app/history.hpp"
 #include "app/input.hpp"
+#include "app/panel_painter.hpp"
 #include "app/preset_pictures.hpp"
 #include "base/image.hpp"
 #include "panel/panel.hpp"
@@ -112,7 +113,6 @@ class Session {
  private:
   enum class Drag { none, turn, look };
   enum class OnPanel { nothing_new, press, wheel };  // a hand, since the panel last changed the scene
-  struct PanelPainter;
 
   // Of hands. What frame() is told stands still while nothing is drawn.
   static double seconds_by_the_clock();
