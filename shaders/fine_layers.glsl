@@ -22,7 +22,7 @@ struct FineLayers {
 FineLayers fine_layers(vec3 from_anchor, float footprint) {
   uint seed = uint(planet_seed);
   float texel = ground_map_scale.x;
-  float enters = 1.0 - smoothstep(0.4, 0.6, footprint / texel);
+  float enters = 1.0 - smoothstep(0.67, 1.0, fineness.y * footprint / texel);
   FineLayers fine;
   fine.gradient = vec3(0.0);
   fine.grain = 0.0;

@@ -17,14 +17,15 @@ layout(std140) uniform FrameBlock {
   vec4 water_extinction;   // xyz: of light in water, per radius
   vec4 levels;             // x: sine of the latitude from which snow lies at the water's edge, above 1: nowhere; y: lift of the water's mesh, radii; z: level of the map of the ground that pixels can show
   vec4 sky_glow;           // xyz: light of the glow that a low sun spreads over the sky of the eye, 0 outside of the air
+  vec4 fineness;           // x: footprint_of_pixel, pixels; y: of texels of the map of the ground from where pixels add layers, pixels
   ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
 };
 
-// Angle (rad, seen from the planet's centre) that a pixel covers on a surface. up: unit; offset: from the eye; the cosine
+// Angle (rad, seen from the planet's centre) between samples on a surface, of which a pixel is one or several. up: unit; offset: from the eye; the cosine
 // between both is held above least_cosine.
 float pixel_footprint(vec3 up, vec3 offset, float least_cosine) {
   float away = length(offset);
-  return away * ray_forward.w / max(-dot(up, offset) / away, least_cosine);
+  return fineness.x * away * ray_forward.w / max(-dot(up, offset) / away, least_cosine);
 }
 
 // The eye in single precision: for what is not near it.

@@ -2,13 +2,13 @@
 // stirs them, and they turn no faster than the finest layer of the map, so that they do not boil.
 #include "cloud_surface.glsl"
 
-uniform vec4 layers;  // x, y: first and end of those added; z: angle of a texel of the map, rad
+uniform vec4 layers;  // x, y: first and end of those added; z: angle of a texel of the map, rad; w: size of a texel from where they are added, pixels
 uniform vec2 turn;    // cosine and sine of the angle by which their gradients are turned
 
 void main() {
   CloudAt cloud = cloud_of_map();
   float footprint = pixel_footprint(cloud.up, surface_from_eye, 0.12);
-  float enters = 1.0 - smoothstep(0.18, 0.25, footprint / layers.z);
+  float enters = 1.0 - smoothstep(0.72, 1.0, layers.w * footprint / layers.z);
   vec3 place = drifted(cloud.up, cloud_turn.xy);
   vec3 sunward = drifted(cloud.toward, cloud_turn.xy);
   uint seed = cloud_seed(planet_seed);

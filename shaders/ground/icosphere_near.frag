@@ -8,6 +8,7 @@ void main() {
   // On a steep slope that faces the eye a pixel covers less than on level ground.
   vec3 right = dFdx(from_anchor), above = dFdy(from_anchor);
   float level = pixel_footprint(up, surface_from_eye, 0.12);
-  FineLayers fine = fine_layers(from_anchor, min(level, sqrt(max(dot(right, right), dot(above, above)))));
+  float facing = fineness.x * sqrt(max(dot(right, right), dot(above, above)));
+  FineLayers fine = fine_layers(from_anchor, min(level, facing));
   emit_ground(refined(ground_at(textureLod(ground_map, up, levels.z), up), fine, up), fine.grain);
 }

@@ -158,7 +158,8 @@ void CloudsShell::draw(const Frame& frame) {
   if (shows_fine_layers(frame.needs)) {
     const glm::vec2 turn(turn_of_cloud_layer(frame.scene, frame.needs.cloud_octaves - 1, frame.view.seconds));
     program.set("layers", static_cast<float>(frame.needs.cloud_pixel_first),
-                static_cast<float>(frame.needs.cloud_pixel_end), static_cast<float>(map_texel_angle()), 0.0F);
+                static_cast<float>(frame.needs.cloud_pixel_end), static_cast<float>(map_texel_angle()),
+                static_cast<float>(frame.scene.quality.cloud_texel_size));
     program.set("turn", turn.x, turn.y);
   }
   draw_shell(spheres_, program, frame, frame.needs.cloud_level, cloud_radius(frame.scene));

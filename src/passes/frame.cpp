@@ -74,6 +74,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.water_extinction = vector(water_look_of(scene).extinction);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, 0.0);
   block.sky_glow = vector(light.sky_glow);
+  block.fineness = glm::vec4(footprint_of_pixel(scene), scene.quality.ground_texel_size, 0.0, 0.0);
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

@@ -69,23 +69,23 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("ground.texels", needs.ground_texels, "quality.ground_texels");
 
   const double texel = texel_angle(needs.ground_texels);
-  const double pixel = pose.clearance * pose.pixel_angle;
-  int shown = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, pixel);
+  const double pixel = pose.clearance * pose.pixel_angle * footprint_of_pixel(scene);
+  const int shown = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, pixel);
   const int first = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, texel);
-  const bool near_enough = pixel < 0.6 * texel && terrain.height > 0.0;
+  const bool near_enough = pixel * scene.quality.ground_texel_size < texel && terrain.height > 0.0;
   needs.pixel_octaves_first = first;
   needs.pixel_octaves_end = near_enough ? std::max(first, shown) : first;
   decide.add("ground.pixel_octaves", needs.pixel_octaves_end - first,
              near_enough ? "so near, pixels show layers that the map of the ground can't hold"
-                         : "the map of the ground is as fine as the pixels");
+                         : "no texel of the map of the ground is larger than quality.ground_texel_size");
 }
 
-// From afar two layers; from close by, where each shows few ripples, finer ones between them.
-int ripple_layers(double frequency, const Pose& pose) {
+// From afar two layers; from close by, where each shows few ripples, finer ones between them. pixel: its footprint,
+// rad.
+int ripple_layers(double frequency, double pixel) {
   constexpr int least = 2, most = 8;
   int layers = least;
-  for (double f = frequency * 2.3 * 2.3; layers < most && 1.0 / f > 4.0 * pose.pixel_angle * pose.clearance; f *= 2.3)
-    ++layers;
+  for (double f = frequency * 2.3 * 2.3; layers < most && 1.0 / f > 4.0 * pixel; f *= 2.3) ++layers;
   return layers;
 }
 
@@ -93,13 +93,14 @@ void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decision
   const auto& water = scene.water;
   const bool calm = needs.water == Water::calm;
   const bool wanted = calm && (water.ripples > 0.0 || water.crust > 0.0);  // the same noise breaks up a crust
-  const bool seen = 1.0 / water.ripple_frequency > 2.0 * pose.pixel_angle * pose.clearance;
-  if (wanted && seen) needs.ripple_layers = ripple_layers(water.ripple_frequency, pose);
+  const double pixel = pose.pixel_angle * pose.clearance * footprint_of_pixel(scene);
+  const bool seen = 1.0 / water.ripple_frequency > 2.0 * pixel;
+  if (wanted && seen) needs.ripple_layers = ripple_layers(water.ripple_frequency, pixel);
   decide.add("water.ripples", needs.ripple_layers,
              !calm     ? "a sea of waves has no other ripples"
              : !wanted ? "water.ripples and water.crust are 0"
-             : seen    ? "two layers, and finer ones where their ripples are larger than four pixels"
-                       : "a ripple is under two pixels: it only widens the glitter");
+             : seen    ? "two layers, and finer ones where their ripples are twice as large as quality.finest_layer"
+                       : "a ripple is smaller than quality.finest_layer: it only widens the glitter");
 }
 
 void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pose, Decisions& decide) {
@@ -116,9 +117,9 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   } else if (sea.waves.empty()) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "no waves are asked for");
-  } else if (shown < 0.5 && water.model != water_waves) {
+  } else if (shown < scene.quality.wave_height && water.model != water_waves) {
     needs.water = Water::calm;
-    decide.add("water", name_of(needs.water), "the highest wave is under half a pixel");
+    decide.add("water", name_of(needs.water), "the highest wave is lower than quality.wave_height");
   } else {
     needs.water = Water::waves;
     decide.add("water", name_of(needs.water), "waves are asked for and can be seen");
@@ -141,9 +142,9 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
 
 // By how much (rad) the coarsest layer of clouds may turn between two pictures that are blended. Half way between two
 // gradients that are an angle apart, their mean is shorter by the cosine of half of it; layer i turns by 2^i times as
-// much as the coarsest. The angle is such that all layers together lose a part of their amplitude that nobody sees.
-double blend_turn(double persistence, int octaves) {
-  constexpr double may_be_lost = 0.03;
+// much as the coarsest. The angle is such that all layers together lose a part of their amplitude that is small enough
+// (quality.cloud_loss).
+double blend_turn(double persistence, int octaves, double may_be_lost) {
   const auto lost = [&](double turn) {
     double loss = 0.0, total = 0.0, amplitude = 1.0;
     for (int i = 0; i < octaves; ++i, amplitude *= persistence) {
@@ -171,7 +172,8 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("clouds.level", needs.cloud_level,
              "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   needs.cloud_texels = scene.quality.cloud_texels;
-  const double footprint = std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance);
+  const double footprint =
+      std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance * footprint_of_pixel(scene));
   needs.cloud_octaves = std::max(1, visible_octaves(clouds.frequency, 2.0, clouds.octaves, footprint));
   decide.add("clouds.octaves", needs.cloud_octaves,
              needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for"
@@ -179,19 +181,24 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   // Beyond this frequency single precision places no cells.
   constexpr double highest_frequency = 1e5;
   const double texel = texel_angle(needs.cloud_texels);
-  const bool near_enough = pixel < 0.25 * texel;
-  const int shown = visible_octaves(clouds.frequency, 2.0, clouds.octaves, std::max(pixel, 0.5 / highest_frequency));
+  const double footprint_there = pixel * footprint_of_pixel(scene);
+  const bool near_enough = footprint_there * scene.quality.cloud_texel_size < texel;
+  const int shown =
+      visible_octaves(clouds.frequency, 2.0, clouds.octaves, std::max(footprint_there, 0.5 / highest_frequency));
   const int first = octaves_below(0.3, clouds.frequency, 2.0, needs.cloud_octaves, texel);
   needs.cloud_pixel_first = first;
   needs.cloud_pixel_end = near_enough ? std::max(first, shown) : first;
   decide.add("clouds.pixel_octaves", needs.cloud_pixel_end - needs.cloud_pixel_first,
              near_enough ? "so near, pixels show layers that the map of the clouds can't hold"
-                         : "the map of the clouds is about as fine as the pixels");
-  needs.cloud_interval = clouds.speed > 0.0 ? blend_turn(clouds.persistence, needs.cloud_octaves) / clouds.speed : 0.0;
-  decide.add("clouds.interval", needs.cloud_interval,
-             clouds.speed > 0.0
-                 ? "seconds between two pictures of the clouds, so that blending them loses 3 % of the noise"
-                 : "clouds.speed is 0");
+                         : "no texel of the map of the clouds is larger than quality.cloud_texel_size");
+  needs.cloud_interval =
+      clouds.speed > 0.0 ? blend_turn(clouds.persistence, needs.cloud_octaves, scene.quality.cloud_loss) / clouds.speed
+                         : 0.0;
+  decide.add(
+      "clouds.interval", needs.cloud_interval,
+      clouds.speed > 0.0
+          ? "seconds between two pictures of the clouds, so that blending them loses no more than quality.cloud_loss"
+          : "clouds.speed is 0");
 }
 
 void decide_night(Needs& needs, const Scene& scene, Decisions& decide) {

@@ -70,6 +70,10 @@ inline constexpr int coarse_cloud_texels = 96;
 // Whether pixels add layers that the map of the ground can't hold.
 inline bool refines_ground(const Needs& needs) { return needs.pixel_octaves_end > needs.pixel_octaves_first; }
 
+// How far apart samples are, in pixels, for whoever asks what they can show: what is smaller than two of that is left
+// out.
+inline double footprint_of_pixel(const Scene& scene) { return 0.5 * scene.quality.finest_layer; }
+
 // Distance of neighbouring texels in the middle of a cube map's face, rad.
 double texel_angle(int texels);
 

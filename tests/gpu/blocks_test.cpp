@@ -61,6 +61,7 @@ TEST_P(Blocks, FrameBlock) {
                                                          {"ripple", offsetof(FrameBlock, ripple)},
                                                          {"levels", offsetof(FrameBlock, levels)},
                                                          {"ripple_turn", offsetof(FrameBlock, ripple_turn)},
+                                                         {"fineness", offsetof(FrameBlock, fineness)},
                                                          {"channel", offsetof(FrameBlock, channel)}};
   for (const auto& [name, offset] : members) {
     EXPECT_EQ(offset_of(program, name), static_cast<GLint>(offset)) << name;

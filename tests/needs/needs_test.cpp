@@ -57,6 +57,31 @@ const Case cases[] = {
        s.camera.altitude = 1000.0;
      },
      [](const Needs& n) { return n.water == Water::calm; }},
+    {"or under as many pixels as quality asks for",
+     [](Scene& s) {
+       s.waves.count = 8;
+       s.quality.wave_height = 16.0;
+     },
+     [](const Needs& n) { return n.water == Water::calm; }},
+    {"pixels add layers where texels are larger than quality allows",
+     [](Scene& s) { s.quality.ground_texel_size = s.quality.cloud_texel_size = 0.25; },
+     [](const Needs& n) { return refines_ground(n) && n.cloud_pixel_end > n.cloud_pixel_first; }},
+    {"and none where it allows large ones",
+     [](Scene& s) {
+       s.camera.altitude = 0.05;
+       s.quality.ground_texel_size = s.quality.cloud_texel_size = 64.0;
+     },
+     [](const Needs& n) { return !refines_ground(n) && n.cloud_pixel_end == n.cloud_pixel_first; }},
+    {"large layers of ripples alone where quality leaves out the rest",
+     [](Scene& s) {
+       s.camera.altitude = 0.2;
+       s.quality.finest_layer = 16.0;
+     },
+     [](const Needs& n) { return n.ripple_layers == 2; }},
+    {"which the default does not", [](Scene& s) { s.camera.altitude = 0.2; },
+     [](const Needs& n) { return n.ripple_layers > 2; }},
+    {"clouds renewed less often where more may be lost", [](Scene& s) { s.quality.cloud_loss = 0.2; },
+     [](const Needs& n) { return n.cloud_interval > 2.0 * 5.006; }},  // 5.006 s: with the default
     {"unless the model asks for them",
      [](Scene& s) {
        s.waves.count = 8;
