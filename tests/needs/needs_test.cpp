@@ -68,14 +68,14 @@ const Case cases[] = {
      [](const Needs& n) { return refines_ground(n) && n.cloud_pixel_end > n.cloud_pixel_first; }},
     {"and none where it allows large ones",
      [](Scene& s) {
-       s.camera.altitude = 0.05;
+       s.camera.altitude = 0.5;
        s.quality.ground_texel_size = s.quality.cloud_texel_size = 64.0;
      },
      [](const Needs& n) { return !refines_ground(n) && n.cloud_pixel_end == n.cloud_pixel_first; }},
     {"large layers of ripples alone where quality leaves out the rest",
      [](Scene& s) {
        s.camera.altitude = 0.2;
-       s.quality.finest_layer = 16.0;
+       s.quality.finest_layer = 64.0;
      },
      [](const Needs& n) { return n.ripple_layers == 2; }},
     {"which the default does not", [](Scene& s) { s.camera.altitude = 0.2; },
