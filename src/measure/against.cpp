@@ -78,7 +78,7 @@ void compare_times(const std::string& id, const Spread& before, const Spread& no
 void compare_errors(const std::string& id, double before, double now, double tolerance, Comparison& comparison) {
   const auto sentence = [&](const char* how) {
     return text_of(id, " is ", how, " accurate: ", printed_number(now, 4), " dB after ", printed_number(before, 4),
-                   ".");
+                   " dB.");
   };
   if (now < before - tolerance) comparison.worse.push_back(sentence("less"));
   if (now > before + tolerance) comparison.better.push_back(sentence("more"));

@@ -53,19 +53,19 @@ std::vector<Truth> truths_of(const Scene& scene, const std::vector<Camera>& came
   return truths;
 }
 
-// By what a frame of one takes longer than one of the other that was taken next to it, over all cameras.
-Spread difference_of(const Setting& one, const Setting& other) {
-  std::vector<double> differences(one.sightings.front().times.size(), 0.0);
-  const double share = 1.0 / static_cast<double>(one.sightings.size());
-  for (std::size_t c = 0; c < one.sightings.size(); ++c) {
+// By what a frame of the scene takes longer than one without an effect, over all cameras.
+Spread cost_of(const Setting& without) {
+  std::vector<double> differences(without.sightings.front().times.size(), 0.0);
+  const double share = 1.0 / static_cast<double>(without.sightings.size());
+  for (const Sighting& sighting : without.sightings) {
     for (std::size_t i = 0; i < differences.size(); ++i)
-      differences[i] += share * (one.sightings[c].times[i] - other.sightings[c].times[i]);
+      differences[i] += share * (sighting.beside[i] - sighting.times[i]);
   }
   return spread_of(std::move(differences));
 }
 
 // All scenes of the report: settings first, then the scene without each of its effects.
-std::vector<Scene> choose_scenes(TradeReport& report, const std::vector<Scene>& tried) {
+std::vector<Timed> choose_scenes(TradeReport& report, const std::vector<Scene>& tried) {
   Chosen chosen;
   const Scene& scene = report.document.scene;
   report.own = chosen.add(scene);
@@ -77,13 +77,16 @@ std::vector<Scene> choose_scenes(TradeReport& report, const std::vector<Scene>& 
   for (const std::size_t i : nearly_on_front(offers, estimates_may_be_off, slight_error)) chosen.add(tried[i]);
   chosen.add(tried.front());
   chosen.add(tried.back());
-  for (const Scene& one : chosen.scenes()) report.settings.push_back({setting_id(one), one, {}});
-  std::vector<Scene> scenes = chosen.scenes();
+  std::vector<Timed> scenes;
+  for (const Scene& one : chosen.scenes()) {
+    report.settings.push_back({setting_id(one), one, {}});
+    scenes.push_back({one, std::nullopt});
+  }
   for (const Effect& effect : effects()) {
     if (!has(scene, effect)) continue;
     Scene without = scene;
     effect.leave_out(without);
-    scenes.push_back(without);
+    scenes.push_back({without, report.own});
     report.effects.push_back({&effect, {effect.name, without, {}}, {}});
   }
   return scenes;
@@ -95,7 +98,7 @@ void hand_out(Turns turns, TradeReport& report) {
   for (std::size_t i = 0; i < report.effects.size(); ++i) {
     EffectTrade& trade = report.effects[i];
     trade.without.sightings = std::move(turns.sightings[count + i]);
-    trade.cost_ms = difference_of(report.settings[report.own], trade.without);
+    trade.cost_ms = cost_of(trade.without);
   }
   report.machine.control_ms = spread_of(std::move(turns.control_ms));
   report.machine.gpu_timer = turns.gpu_timer;
@@ -170,7 +173,7 @@ TradeReport measure_trade(const SceneDocument& document, const TradePlan& plan, 
   report.estimates = try_settings(
       document.scene, report.knobs, cameras, truths, plan, [&](double part) { progress("trying settings", part); },
       tried);
-  const std::vector<Scene> scenes = choose_scenes(report, tried);
+  const std::vector<Timed> scenes = choose_scenes(report, tried);
   hand_out(take_turns(scenes, cameras, truths, plan, [&](double part) { progress("timing by turns", part); }), report);
   draw_conclusions(report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

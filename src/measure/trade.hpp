@@ -39,8 +39,9 @@ struct Machine {
 
 // A setting as one camera sees it.
 struct Sighting {
-  std::vector<double> times;  // ms of single frames; those of one place in the list were taken one after the other
-  std::vector<double> work;   // as counters() has it
+  std::vector<double> times;   // ms of single frames, round by round
+  std::vector<double> beside;  // of frames of the scene itself that were taken next to these; of effects only
+  std::vector<double> work;    // as counters() has it
   PictureError error;
   Image picture, errors;  // small; errors: 1 channel, FLIP
 };
@@ -73,7 +74,7 @@ struct KnobTrade {
 struct EffectTrade {
   const Effect* effect;
   Setting without;
-  Spread cost_ms;  // what it adds to a frame: of the differences of frames taken one after the other
+  Spread cost_ms;  // what it adds to a frame: of the differences of frames taken next to each other
 };
 
 struct CameraTruth {

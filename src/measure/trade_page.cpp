@@ -31,6 +31,7 @@ svg .own { fill: var(--page); stroke: var(--ink); stroke-width: 2; }
 svg.narrow, .narrow svg { display: none; }
 img { display: block; max-width: 100%; height: auto; image-rendering: auto; }
 figure { margin: 0; }
+figure img + img { margin-top: 2px; }
 figcaption { font-size: .8rem; color: var(--soft); padding: .15rem 0 .4rem; }
 .views { display: grid; grid-template-columns: repeat(3, minmax(0, 15rem)); gap: .6rem; margin: .4rem 0 1rem; }
 .row { display: flex; gap: .6rem; overflow-x: auto; margin: .4rem 0 1rem; }

@@ -1,6 +1,9 @@
 #include "measure/turns.hpp"
 
 #include <memory>
+#include <numeric>
+#include <random>
+#include <utility>
 
 #include "measure/control_load.hpp"
 #include "measure/subject.hpp"
@@ -9,12 +12,12 @@
 namespace terrella {
 namespace {
 
-constexpr int frames_a_turn =
-    2;  // timed, after one that is not: the renderer before it leaves its own things in caches
+// Timed, after one that is not: the renderer before it leaves its own things in caches.
+constexpr int frames_a_turn = 2;
 
 class Table {
  public:
-  Table(const TradePlan& plan, std::size_t scenes) : plan_(plan) {
+  Table(const TradePlan& plan, std::size_t scenes) {
     for (std::size_t i = 0; i < scenes; ++i) subjects_.push_back(std::make_unique<Subject>(plan.width, plan.height));
   }
 
@@ -27,13 +30,15 @@ class Table {
     // Once more: measurements are drawn to other targets, and the first frame after them makes those of light anew.
     subjects_[i]->pose(scene);
     subjects_[i]->frame(stopwatch_);
-    return {{}, {}, judged.error, thumbnail(picture), thumbnail(judged.flip)};
+    return {{}, {}, {}, judged.error, thumbnail(picture), thumbnail(judged.flip)};
   }
 
-  void time(std::size_t i, Sighting& sighting) {
-    subjects_[i]->frame(stopwatch_);
-    for (int frame = 0; frame < frames_a_turn; ++frame) sighting.times.push_back(subjects_[i]->frame(stopwatch_));
+  // beside: is timed first or last.
+  void time(std::size_t i, std::optional<std::size_t> beside, bool last, Sighting& sighting) {
+    if (beside && !last) time(*beside, sighting.beside);
+    time(i, sighting.times);
     sighting.work = subjects_[i]->work();
+    if (beside && last) time(*beside, sighting.beside);
   }
 
   void time_control() {
@@ -44,35 +49,45 @@ class Table {
   }
 
  private:
-  const TradePlan& plan_;
+  void time(std::size_t i, std::vector<double>& times) {
+    subjects_[i]->frame(stopwatch_);
+    for (int frame = 0; frame < frames_a_turn; ++frame) times.push_back(subjects_[i]->frame(stopwatch_));
+  }
+
   Stopwatch stopwatch_;
   ControlLoad control_;
   std::vector<double> control_ms_;
   std::vector<std::unique_ptr<Subject>> subjects_;
 };
 
+// In another order each round, so that nobody always follows the same one; the same on every machine.
+std::vector<std::size_t> order_of(std::size_t round, std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::mt19937 random(static_cast<unsigned>(round));
+  for (std::size_t left = count; left > 1; --left) std::swap(order[left - 1], order[random() % left]);
+  return order;
+}
+
 }  // namespace
 
-Turns take_turns(const std::vector<Scene>& scenes, const std::vector<Camera>& cameras, std::vector<Truth>& truths,
+Turns take_turns(const std::vector<Timed>& scenes, const std::vector<Camera>& cameras, std::vector<Truth>& truths,
                  const TradePlan& plan, const std::function<void(double part)>& progress) {
-  const std::size_t count = scenes.size();
+  const std::size_t count = scenes.size(), rounds = static_cast<std::size_t>(plan.rounds);
   Turns turns;
   turns.sightings.resize(count);
   Table table(plan, count);
-  const std::size_t rounds = static_cast<std::size_t>(plan.rounds);
   const double all = static_cast<double>(cameras.size() * count * (rounds + 4));
   double done = 0.0;
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     for (std::size_t i = 0; i < count; ++i) {
-      turns.sightings[i].push_back(table.look_at(i, seen_by(scenes[i], cameras[c]), truths[c]));
+      turns.sightings[i].push_back(table.look_at(i, seen_by(scenes[i].scene, cameras[c]), truths[c]));
       progress((done += 4.0) / all);
     }
     for (std::size_t round = 0; round < rounds; ++round) {
       table.time_control();
-      for (std::size_t turn = 0; turn < count; ++turn) {
-        // Every other round backwards, so that nobody always follows the same one.
-        const std::size_t i = round % 2 == 0 ? turn : count - 1 - turn;
-        table.time(i, turns.sightings[i].back());
+      for (const std::size_t i : order_of(round, count)) {
+        table.time(i, scenes[i].beside, round % 2 == 1, turns.sightings[i].back());
         progress((done += 1.0) / all);
       }
     }

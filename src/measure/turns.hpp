@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "measure/cameras.hpp"
@@ -10,6 +11,12 @@
 
 namespace terrella {
 
+// A scene, and which other one is timed next to it each time, to tell by how much they differ.
+struct Timed {
+  Scene scene;
+  std::optional<std::size_t> beside;
+};
+
 struct Turns {
   std::vector<std::vector<Sighting>> sightings;  // of each scene by each camera
   std::vector<double> control_ms;
@@ -17,7 +24,7 @@ struct Turns {
 };
 
 // Each scene has a renderer of its own. truths: by camera.
-Turns take_turns(const std::vector<Scene>& scenes, const std::vector<Camera>& cameras, std::vector<Truth>& truths,
+Turns take_turns(const std::vector<Timed>& scenes, const std::vector<Camera>& cameras, std::vector<Truth>& truths,
                  const TradePlan& plan, const std::function<void(double part)>& progress);
 
 }  // namespace terrella
