@@ -30,7 +30,7 @@ th { background: var(--panel); }
   body { margin: 0; max-width: none; font-size: 10pt; }
   .wide { overflow: visible; }
   table { font-size: 8pt; }
-  th, td { padding: .15rem .3rem; overflow-wrap: anywhere; }
+  th, td { padding: .15rem .3rem; }
   tr, figure, svg { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
 }

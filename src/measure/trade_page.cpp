@@ -83,7 +83,7 @@ std::string summary(const TradeReport& report) {
   const Setting& cheapest = report.settings[report.front.front()];
   const Setting& finest = report.settings[report.front.back()];
   const auto told = [](const Setting& setting) {
-    return text_of(figure(setting.ms().median), " ms and ", decibels(setting.error().psnr()));
+    return text_of(figure(setting.ms().median), " ms for ", decibels(setting.error().psnr()));
   };
   return paragraph(
       text_of("What does a more accurate picture cost? ", report.settings.size(),
