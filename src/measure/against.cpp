@@ -13,7 +13,7 @@
 namespace terrella {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;  // members in order of their names, however a report has them
 
 constexpr double slower_by = 1.01;
 constexpr int deepest = 12;  // level of a report; what lies deeper is none's, and would cost as much stack

@@ -5,8 +5,11 @@
 #include <string>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "base/text.hpp"
 #include "native/cmd_measure.hpp"
+#include "sanitized.hpp"
 
 namespace terrella {
 namespace {
@@ -92,6 +95,30 @@ TEST(MeasureCommand, SaysWhichFolderCannotBeMadeBeforeItMeasures) {
   const Outcome outcome = run("measure --extremes --out /dev/null/folder");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_EQ(outcome.said, "/dev/null/folder: cannot be made: Not a directory.\n");
+}
+
+// From end to end: writes both files, and finds that an older report was better when it says so.
+TEST(MeasureCommand, MeasuresTheTradeAndComparesIt) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "terrella_trade";
+  const std::string line = text_of(
+      "measure --quick --size 32x18 --set clouds.model=none --set water.model=none --set stars.model=none "
+      "--set lights.density=0 --set terrain.octaves=4 --out ",
+      folder.string());
+  EXPECT_EQ(run(line).code, 0);
+  auto report = nlohmann::json::parse(std::ifstream(folder / "report.json"));
+  EXPECT_EQ(report["machine"]["size"], (nlohmann::json{32, 18}));
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+  if (!test::sanitized) {  // where this takes its time and sees nothing new
+    for (auto& setting : report["settings"]) setting["psnr"] = 1.0 + setting["psnr"].get<double>();
+    const OldReport better(report.dump());
+    testing::internal::CaptureStdout();
+    const Outcome outcome = run(line + " --against " + better.path);
+    const std::string told = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.said.find("became slower or less accurate than in " + better.path), std::string::npos);
+    EXPECT_NE(told.find(" is less accurate: "), std::string::npos) << told;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(MeasureCommand, NeedsAFolder) {
