@@ -7,7 +7,7 @@ help:
 	@echo "make run      build the browser version and serve it on this machine"
 	@echo "make test     build all and run every test"
 	@echo "make native   build the desktop program, build/native/terrella"
-	@echo "make measure  measure what holds at the extremes, as a page in build/measure"
+	@echo "make measure  measure what accuracy costs, and what holds at the extremes, as pages in build/measure"
 	@echo "make mutation plant mistakes in the formulas and see which tests notice"
 	@echo "make bench    measure speed, memory and size of both"
 	@echo "make gallery  draw every preset for docs/gallery.md"
@@ -26,7 +26,8 @@ test: setup-test build-native build-sanitize build-web
 	@if [ -e tests/web/run.mjs ]; then $(MAKE) --no-print-directory test-web; fi
 
 measure: native
-	build/native/terrella measure --extremes --out build/measure
+	build/native/terrella measure --out build/measure
+	build/native/terrella measure --extremes --out build/measure/extremes
 
 # In a copy under build/mutation; takes ten minutes or more, so it is no part of `make test`.
 mutation: setup-native

@@ -1,19 +1,14 @@
 #include "native/cmd_measure.hpp"
 
-#include <chrono>
-#include <cstdio>
-#include <filesystem>
 #include <memory>
-#include <system_error>
-#include <utility>
+#include <optional>
 
 #include "base/file.hpp"
-#include "gl/caps.hpp"
-#include "measure/report.hpp"
-#include "native/egl_context.hpp"
+#include "base/text.hpp"
 #include "native/failures.hpp"
+#include "native/measure_extremes.hpp"
+#include "native/measure_trade.hpp"
 #include "native/options.hpp"
-#include "native/progress_bar.hpp"
 
 namespace terrella {
 namespace {
@@ -23,92 +18,77 @@ struct MeasureOptions {
   std::string out;
   bool extremes = false;
   bool quick = false;
+  std::optional<std::string> size, gl, against;
 };
 
-Issues understand(const MeasureOptions& options) {
-  Issues issues;
+// What belongs to the trade alone.
+void refuse_for_extremes(const MeasureOptions& options, Issues& issues) {
   const SceneOptions& scene = options.scene;
-  const bool has_scene = scene.preset || scene.scene_file || scene.link || !scene.settings.empty();
-  if (!options.extremes) {
-    issues.add("measure", "only the extremes can be measured so far; give --extremes.");
-  } else if (has_scene) {
+  if (scene.preset || scene.scene_file || scene.link || !scene.settings.empty())
     issues.add("--extremes", "draws scenes of its own; leave out --preset, --scene, --link and --set.");
-  }
-  return issues;
+  const auto refuse = [&](bool given, const char* option) {
+    if (given) issues.add(option, "is for the trade of speed for accuracy; --extremes has none of it.");
+  };
+  refuse(options.size.has_value(), "--size");
+  refuse(options.gl.has_value(), "--gl");
+  refuse(options.against.has_value(), "--against");
 }
 
-// Adds what is found in one kind of context; returns what went wrong, or nothing.
-std::string measure_in(Api api, ExtremesReport& report) {
-  const auto context = EglContext::make(api);
-  if (!context) return context.sentence();
-  if (!gl::caps().full_float_targets)
-    return "This machine's OpenGL cannot draw to 32 bit floats, which measuring needs.";
-  const char* const name = api == Api::core ? "core" : "es";
-  report.renderer = gl::caps().renderer;
-  Renderer renderer;
-  examine_all(
-      renderer, name, report.extent, [&](double part) { show_progress(name, part); }, report);
-  if (api == Api::core) {
-    show_progress("where techniques hold", 0.0);
-    report.limits = measure_limits(renderer, report.extent);
-    report.invariances = measure_invariances(renderer, report.extent);
-    show_progress("where techniques hold", 1.0);
-  }
-  return {};
+void read_old(const std::string& path, TradeTask& task, Issues& issues) {
+  constexpr std::size_t longest = 50'000'000;  // bytes
+  const Result<std::string> text = read_file(path, longest);
+  if (!text) return issues.add("--against", text.sentence());
+  const Result<TradeSummary> before = read_trade(*text);
+  if (!before) return issues.add(path, before.sentence());
+  const std::string why_not = why_not_comparable(*before, to_be_measured(task.document, task.plan));
+  if (!why_not.empty()) return issues.add(path, why_not);
+  task.against = path;
+  task.before = *before;
 }
 
-std::string make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  return error ? text_of(folder, ": cannot be made: ", error.message(), ".") : std::string();
+TradeTask understand(const MeasureOptions& options, Issues& issues) {
+  constexpr int largest = 4096;
+  TradeTask task;
+  const SceneChoice choice = choose_scene(options.scene);
+  issues.add(choice.issues);
+  task.document = choice.document;
+  task.plan = trade_plan(options.quick);
+  task.folder = options.out;
+  if (options.size) read_size(*options.size, task.plan.width, task.plan.height, largest, issues);
+  if (options.gl) check_gl(*options.gl, issues);
+  task.api = options.gl == "es" ? Api::es : Api::core;
+  if (options.against) read_old(*options.against, task, issues);
+  return task;
 }
 
-std::string write(const std::string& folder, const ExtremesReport& report) {
-  for (const auto& [name, text] :
-       {std::pair("report.json", extremes_json(report)), std::pair("index.html", extremes_page(report))}) {
-    const Result<Done> done = write_file_whole((std::filesystem::path(folder) / name).string(), text);
-    if (!done) return done.sentence();
+// Returns the exit code.
+int measure(const MeasureOptions& options) {
+  Issues issues;
+  std::optional<TradeTask> task;
+  if (options.extremes) {
+    refuse_for_extremes(options, issues);
+  } else {
+    task = understand(options, issues);
   }
-  return {};
-}
-
-// Measures and writes; returns what went wrong or does not hold, or nothing.
-std::string measure(const MeasureOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  std::string failure = make_folder(options.out);  // before minutes of work
-  ExtremesReport report;
-  report.extent = options.quick ? Extent::quick : Extent::full;
-  for (const Api api : {Api::core, Api::es}) {
-    if (failure.empty()) failure = measure_in(api, report);
-  }
-  if (!failure.empty()) return failure;
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  failure = write(options.out, report);
-  if (failure.empty() && !report.holds())
-    failure = text_of("Not all holds at the extremes; ", options.out, "/index.html tells what.");
-  return failure;
+  if (!issues.empty()) return report_bad_input(issues);
+  const std::string failure = task ? measure_trade(*task) : measure_extremes(options.out, options.quick);
+  return failure.empty() ? 0 : report_failure(failure);
 }
 
 }  // namespace
 
 void add_measure_command(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand("measure", "What holds at the ends of what can be asked for");
+  CLI::App* command = program.add_subcommand("measure", "What accuracy costs, or what holds at the extremes");
   const auto options = std::make_shared<MeasureOptions>();
   add_scene_options(*command, options->scene);
   command->add_option("--out", options->out, "The folder for report.json and index.html")->required();
+  command->add_option("--size", options->size, "Pixels of the pictures, WIDTHxHEIGHT (480x270; 160x90 if quick)");
+  command->add_option("--against", options->against, "An older report.json: tells what is slower or less accurate");
+  command->add_option("--gl", options->gl, "core or es (core)");
   command->add_flag("--extremes", options->extremes,
-                    "Drive the renderer to the ends of every parameter, view and size");
-  command->add_flag("--quick", options->quick,
-                    "Small pictures and coarse maps only: about a minute instead of three to five");
-  command->callback([options, &exit_code] {
-    const Issues issues = understand(*options);
-    if (!issues.empty()) {
-      exit_code = report_bad_input(issues);
-      return;
-    }
-    const std::string failure = measure(*options);
-    if (!failure.empty()) exit_code = report_failure(failure);
-  });
+                    "Drive the renderer to the ends of every parameter, view and size instead");
+  command->add_flag("--quick", options->quick, "Small pictures, few settings and rounds: under a minute");
+  command->callback([options, &exit_code] { exit_code = measure(*options); });
 }
 
 }  // namespace terrella

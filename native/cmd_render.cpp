@@ -47,19 +47,6 @@ bool ends_with(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-void read_size(const std::string& text, StillOptions& still, Issues& issues) {
-  int width = 0, height = 0;
-  char rest = 0;
-  const bool read = std::sscanf(text.c_str(), "%6dx%6d%c", &width, &height, &rest) == 2;
-  if (!read || width < 1 || height < 1 || width > 16384 || height > 16384) {
-    issues.add("--size", text_of(json_quoted(shortened(text)),
-                                 " is not a size; give WIDTHxHEIGHT, each 1 to 16384, as in 1280x720."));
-    return;
-  }
-  still.width = width;
-  still.height = height;
-}
-
 void read_channel(const std::string& text, Task& task, Issues& issues) {
   static constexpr std::string_view names[] = {"color", "distance", "normal", "height"};
   for (int i = 0; i < 4; ++i) {
@@ -88,7 +75,7 @@ Task understand(const RenderOptions& options, Issues& issues) {
   const SceneChoice choice = choose_scene(options.scene);
   issues.add(choice.issues);
   task.scene = choice.document.scene;
-  read_size(options.size, task.still, issues);
+  read_size(options.size, task.still.width, task.still.height, 16384, issues);
   read_channel(options.channel, task, issues);
   task.still.seconds = options.time;
   task.still.samples = options.samples;
@@ -98,9 +85,7 @@ Task understand(const RenderOptions& options, Issues& issues) {
   }
   if (options.samples < 1 || options.samples > 64) issues.add("--samples", "must be a whole number, 1 to 64.");
   if (options.frames < 0 || options.frames > 1'000'000) issues.add("--frames", "must be a whole number, 0 to 1000000.");
-  if (options.gl != "core" && options.gl != "es") {
-    issues.add("--gl", text_of(json_quoted(shortened(options.gl)), " is not a kind of OpenGL; there are core and es."));
-  }
+  check_gl(options.gl, issues);
   task.pfm = ends_with(options.out, ".pfm");
   if (!task.pfm && !ends_with(options.out, ".png")) {
     issues.add("--out", text_of(json_quoted(shortened(options.out)), " must end in .png or .pfm."));

@@ -1,5 +1,7 @@
 #include "native/options.hpp"
 
+#include <cstdio>
+
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "scene/json.hpp"
@@ -61,6 +63,24 @@ SceneChoice choose_scene(const SceneOptions& options) {
   if (options.link) choice.issues.add(load_link(choice.document, *options.link));
   for (const std::string& setting : options.settings) apply_setting(setting, choice);
   return choice;
+}
+
+void read_size(const std::string& text, int& width, int& height, int most, Issues& issues) {
+  int w = 0, h = 0;
+  char rest = 0;
+  const bool read = std::sscanf(text.c_str(), "%6dx%6d%c", &w, &h, &rest) == 2;
+  if (!read || w < 1 || h < 1 || w > most || h > most) {
+    issues.add("--size", text_of(json_quoted(shortened(text)), " is not a size; give WIDTHxHEIGHT, each 1 to ", most,
+                                 ", as in 1280x720."));
+    return;
+  }
+  width = w;
+  height = h;
+}
+
+void check_gl(const std::string& text, Issues& issues) {
+  if (text == "core" || text == "es") return;
+  issues.add("--gl", text_of(json_quoted(shortened(text)), " is not a kind of OpenGL; there are core and es."));
 }
 
 }  // namespace terrella

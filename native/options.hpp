@@ -30,4 +30,10 @@ struct SceneChoice {
 // The scene that the options ask for: the default, then the preset, the file, the link and the settings, in this order.
 SceneChoice choose_scene(const SceneOptions& options);
 
+// Reads the value of --size, "1280x720", each side 1 to most pixels; else leaves them and says why.
+void read_size(const std::string& text, int& width, int& height, int most, Issues& issues);
+
+// Says so where the value of --gl is no kind of OpenGL.
+void check_gl(const std::string& text, Issues& issues);
+
 }  // namespace terrella

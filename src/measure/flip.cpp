@@ -3,58 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <vector>
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 
 #include "base/check.hpp"
+#include "measure/cie.hpp"
 
 namespace terrella {
 namespace {
 
-// A picture in double precision.
+// One channel of a picture in double precision. Beyond its edges it goes on as at them.
 struct Plane {
   int width, height;
-  std::vector<glm::dvec3> pixels;
+  std::vector<double> values;
 
-  // Beyond its edges it goes on as at them.
-  [[nodiscard]] const glm::dvec3& at(int x, int y) const {
-    x = std::clamp(x, 0, width - 1);
-    y = std::clamp(y, 0, height - 1);
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  [[nodiscard]] const double* row(int y) const {
+    return values.data() + static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * static_cast<std::size_t>(width);
   }
 };
-
-Plane mapped(const Plane& from, const std::function<glm::dvec3(const glm::dvec3&)>& f) {
-  Plane to = from;
-  for (glm::dvec3& pixel : to.pixels) pixel = f(pixel);
-  return to;
-}
-
-Plane plane_of(const Image& image) {
-  Plane plane = {image.width, image.height, {}};
-  for (std::size_t i = 0; i < image.pixels.size(); i += 3)
-    plane.pixels.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
-  return plane;
-}
-
-// The exact curve: the picture's own (lib/color.glsl) is fitted within 4e-5.
-double linear_of_srgb(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
-// CIE XYZ of the sRGB primaries under D65, relative to white.
-glm::dvec3 xyz_of(const glm::dvec3& c) {
-  const glm::dvec3 xyz(0.4123865632 * c.r + 0.3575914909 * c.g + 0.1804504912 * c.b,
-                       0.2126368217 * c.r + 0.7151829818 * c.g + 0.0721801965 * c.b,
-                       0.0193306202 * c.r + 0.1191971636 * c.g + 0.9503725870 * c.b);
-  return xyz / glm::dvec3(0.9504285453, 1.0, 1.0889003708);
-}
 
 glm::dvec3 rgb_of(const glm::dvec3& relative) {
   const glm::dvec3 c = relative * glm::dvec3(0.9504285453, 1.0, 1.0889003708);
@@ -73,14 +41,9 @@ glm::dvec3 xyz_of_opponent(const glm::dvec3& c) {
 }
 
 // CIE L*a*b*, with colours that fade in the dark (the Hunt effect).
-glm::dvec3 lab_of(const glm::dvec3& xyz) {
-  constexpr double limit = 6.0 / 29.0;
-  const auto f = [](double t) {
-    return t > limit * limit * limit ? std::cbrt(t) : t / (3.0 * limit * limit) + 4.0 / 29.0;
-  };
-  const double lightness = 116.0 * f(xyz.y) - 16.0;
-  const double hunt = 0.01 * lightness;
-  return {lightness, hunt * 500.0 * (f(xyz.x) - f(xyz.y)), hunt * 200.0 * (f(xyz.y) - f(xyz.z))};
+glm::dvec3 seen_lab_of(const glm::dvec3& xyz) {
+  const glm::dvec3 lab = lab_of(xyz);
+  return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
 }
 
 // A distance for large differences of colour (Abasi et al. 2020).
@@ -88,22 +51,41 @@ double hyab(const glm::dvec3& a, const glm::dvec3& b) { return std::abs(a.x - b.
 
 using Kernel = std::vector<double>;  // of an odd length
 
-Plane convolved(const Plane& from, const Kernel& across, const Kernel& down) {
-  const auto pass = [](const Plane& plane, const Kernel& kernel, int dx, int dy) {
-    Plane to = plane;
-    const int reach = static_cast<int>(kernel.size()) / 2;
-    for (int y = 0; y < plane.height; ++y) {
-      for (int x = 0; x < plane.width; ++x) {
-        glm::dvec3 sum(0.0);
-        for (int i = -reach; i <= reach; ++i)
-          sum += kernel[static_cast<std::size_t>(i + reach)] * plane.at(x + i * dx, y + i * dy);
-        to.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width) + static_cast<std::size_t>(x)] =
-            sum;
-      }
+Plane convolved_across(const Plane& from, const Kernel& kernel) {
+  const std::size_t reach = kernel.size() / 2, width = static_cast<std::size_t>(from.width);
+  Plane to = {from.width, from.height, {}};
+  to.values.reserve(from.values.size());
+  std::vector<double> row(width + 2 * reach);
+  for (int y = 0; y < from.height; ++y) {
+    const double* const pixels = from.row(y);
+    std::fill_n(row.begin(), reach, pixels[0]);
+    std::copy_n(pixels, width, row.begin() + static_cast<std::ptrdiff_t>(reach));
+    std::fill_n(row.begin() + static_cast<std::ptrdiff_t>(reach + width), reach, pixels[width - 1]);
+    for (std::size_t x = 0; x < width; ++x) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < kernel.size(); ++i) sum += kernel[i] * row[x + i];
+      to.values.push_back(sum);
     }
-    return to;
-  };
-  return pass(pass(from, across, 1, 0), down, 0, 1);
+  }
+  return to;
+}
+
+Plane convolved_down(const Plane& from, const Kernel& kernel) {
+  const int reach = static_cast<int>(kernel.size()) / 2;
+  Plane to = {from.width, from.height, std::vector<double>(from.values.size(), 0.0)};
+  double* sums = to.values.data();
+  for (int y = 0; y < from.height; ++y, sums += from.width) {
+    for (int i = -reach; i <= reach; ++i) {
+      const double* const pixels = from.row(y + i);
+      const double weight = kernel[static_cast<std::size_t>(i + reach)];
+      for (int x = 0; x < from.width; ++x) sums[x] += weight * pixels[x];
+    }
+  }
+  return to;
+}
+
+Plane convolved(const Plane& from, const Kernel& across, const Kernel& down) {
+  return convolved_down(convolved_across(from, across), down);
 }
 
 // The eye's contrast sensitivity by channel as sums of two Gaussians a sqrt(pi / b) exp(-pi^2 d^2 / b), d in degrees.
@@ -127,27 +109,24 @@ double sum_of(const Kernel& kernel) {
   return sum;
 }
 
-// As the eye sees a picture in opponent colours from afar.
-Plane seen(const Plane& picture, double pixels_per_degree) {
+// As the eye sees a channel (0..2) of a picture in opponent colours from afar.
+Plane seen(const Plane& picture, int channel, double pixels_per_degree) {
   constexpr double widest = 0.04;
   const int reach = static_cast<int>(
       std::ceil(3.0 * std::sqrt(widest / (2.0 * std::numbers::pi * std::numbers::pi)) * pixels_per_degree));
-  Plane result = picture;
-  for (int channel = 0; channel < 3; ++channel) {
-    const auto [a1, b1, a2, b2] = sensitivities[channel];
-    double total = 0.0;
-    std::vector<double> sum(picture.pixels.size(), 0.0);
-    for (const auto& [a, b] : {std::pair{a1, b1}, std::pair{a2, b2}}) {
-      if (a == 0.0) continue;
-      const Kernel kernel = gaussian(b, pixels_per_degree, reach);
-      const double weight = a * std::sqrt(std::numbers::pi / b);
-      total += weight * sum_of(kernel) * sum_of(kernel);
-      const Plane blurred = convolved(picture, kernel, kernel);
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * blurred.pixels[i][channel];
-    }
-    for (std::size_t i = 0; i < sum.size(); ++i) result.pixels[i][channel] = sum[i] / total;
+  const auto [a1, b1, a2, b2] = sensitivities[channel];
+  double total = 0.0;
+  Plane sum = {picture.width, picture.height, std::vector<double>(picture.values.size(), 0.0)};
+  for (const auto& [a, b] : {std::pair{a1, b1}, std::pair{a2, b2}}) {
+    if (a == 0.0) continue;
+    const Kernel kernel = gaussian(b, pixels_per_degree, reach);
+    const double weight = a * std::sqrt(std::numbers::pi / b);
+    total += weight * sum_of(kernel) * sum_of(kernel);
+    const Plane blurred = convolved(picture, kernel, kernel);
+    for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += weight * blurred.values[i];
   }
-  return result;
+  for (double& value : sum.values) value /= total;
+  return sum;
 }
 
 glm::dvec3 clamped(const glm::dvec3& c) {
@@ -157,7 +136,8 @@ glm::dvec3 clamped(const glm::dvec3& c) {
 // Differences of colour, spread over 0..1: small ones over most of it.
 double redistributed(double difference) {
   constexpr double exponent = 0.7, bend = 0.4, bent = 0.95;
-  static const double most = std::pow(hyab(lab_of(xyz_of({0.0, 1.0, 0.0})), lab_of(xyz_of({0.0, 0.0, 1.0}))), exponent);
+  static const double most =
+      std::pow(hyab(seen_lab_of(xyz_of({0.0, 1.0, 0.0})), seen_lab_of(xyz_of({0.0, 0.0, 1.0}))), exponent);
   const double d = std::pow(difference, exponent), at = bend * most;
   return d < at ? bent / at * d : bent + (d - at) / (most - at) * (1.0 - bent);
 }
@@ -189,44 +169,64 @@ std::vector<glm::dvec2> features(const Plane& lightness, double pixels_per_degre
   const Plane point_x = convolved(lightness, balanced(point), smooth),
               point_y = convolved(lightness, smooth, balanced(point));
   std::vector<glm::dvec2> found;
-  for (std::size_t i = 0; i < lightness.pixels.size(); ++i) {
-    found.emplace_back(std::hypot(edge_x.pixels[i].x, edge_y.pixels[i].x),
-                       std::hypot(point_x.pixels[i].x, point_y.pixels[i].x));
+  for (std::size_t i = 0; i < lightness.values.size(); ++i) {
+    found.emplace_back(std::hypot(edge_x.values[i], edge_y.values[i]),
+                       std::hypot(point_x.values[i], point_y.values[i]));
   }
   return found;
 }
 
-struct Looked {
-  Plane colors;                      // L*a*b* as seen
-  std::vector<glm::dvec2> features;  // of the picture itself
-};
-
-Looked look_at(const Image& image, double pixels_per_degree) {
-  const Plane opponent = mapped(plane_of(image), [](const glm::dvec3& c) {
-    return opponent_of(xyz_of({linear_of_srgb(c.r), linear_of_srgb(c.g), linear_of_srgb(c.b)}));
-  });
-  Looked looked;
-  looked.colors = mapped(seen(opponent, pixels_per_degree),
-                         [](const glm::dvec3& c) { return lab_of(xyz_of(clamped(rgb_of(xyz_of_opponent(c))))); });
-  looked.features = features(mapped(opponent, [](const glm::dvec3& c) { return glm::dvec3((c.x + 16.0) / 116.0); }),
-                             pixels_per_degree);
-  return looked;
+// Its channels in opponent colours.
+std::array<Plane, 3> opponent_planes(const Image& image) {
+  std::array<Plane, 3> planes;
+  planes.fill({image.width, image.height, {}});
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    const glm::dvec3 linear(linear_of_srgb(double{image.pixels[i]}), linear_of_srgb(double{image.pixels[i + 1]}),
+                            linear_of_srgb(double{image.pixels[i + 2]}));
+    const glm::dvec3 opponent = opponent_of(xyz_of(linear));
+    for (int c = 0; c < 3; ++c) planes[static_cast<std::size_t>(c)].values.push_back(opponent[c]);
+  }
+  return planes;
 }
 
 }  // namespace
 
-Image flip(const Image& reference, const Image& test, double pixels_per_degree) {
-  CHECK(reference.width == test.width && reference.height == test.height, "pictures of one size");
-  CHECK(reference.channels == 3 && test.channels == 3, "pictures of three channels");
-  const Looked a = look_at(reference, pixels_per_degree), b = look_at(test, pixels_per_degree);
-  Image errors(reference.width, reference.height, 1);
+Flip::Looked Flip::look_at(const Image& image) const {
+  CHECK(image.channels == 3, "pictures of three channels");
+  std::array<Plane, 3> planes = opponent_planes(image);
+  Looked looked;
+  const std::array<Plane, 3> far = {seen(planes[0], 0, pixels_per_degree_), seen(planes[1], 1, pixels_per_degree_),
+                                    seen(planes[2], 2, pixels_per_degree_)};
+  for (std::size_t i = 0; i < far[0].values.size(); ++i) {
+    const glm::dvec3 opponent(far[0].values[i], far[1].values[i], far[2].values[i]);
+    looked.colors.push_back(seen_lab_of(xyz_of(clamped(rgb_of(xyz_of_opponent(opponent))))));
+  }
+  for (double& value : planes[0].values) value = (value + 16.0) / 116.0;
+  looked.features = features(planes[0], pixels_per_degree_);
+  return looked;
+}
+
+Flip::Flip(const Image& reference, double pixels_per_degree)
+    : width_(reference.width),
+      height_(reference.height),
+      pixels_per_degree_(pixels_per_degree),
+      reference_(look_at(reference)) {}
+
+Image Flip::against(const Image& test) const {
+  CHECK(test.width == width_ && test.height == height_, "pictures of one size");
+  const Looked looked = look_at(test);
+  Image errors(width_, height_, 1);
   for (std::size_t i = 0; i < errors.pixels.size(); ++i) {
-    const double color = redistributed(hyab(a.colors.pixels[i], b.colors.pixels[i]));
-    const glm::dvec2 apart = glm::abs(a.features[i] - b.features[i]);
+    const double color = redistributed(hyab(reference_.colors[i], looked.colors[i]));
+    const glm::dvec2 apart = glm::abs(reference_.features[i] - looked.features[i]);
     const double feature = std::sqrt(std::max(apart.x, apart.y) * std::numbers::sqrt2 * 0.5);
     errors.pixels[i] = static_cast<float>(std::pow(color, 1.0 - std::min(feature, 1.0)));
   }
   return errors;
+}
+
+Image flip(const Image& reference, const Image& test, double pixels_per_degree) {
+  return Flip(reference, pixels_per_degree).against(test);
 }
 
 }  // namespace terrella

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "measure/html.hpp"
 
 namespace terrella {
 namespace {
@@ -30,41 +31,8 @@ const LimitPoint* first_beyond(const Limit& limit) {
 
 std::string short_number(double value) { return std::isinf(value) ? "lost" : printed_number(value, 3); }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += c;
-    }
-  }
-  return safe;
-}
-
-class Table {
- public:
-  explicit Table(std::initializer_list<const char*> heads) : heads_(heads) {
-    html_ = "<table><thead><tr>";
-    for (const char* head : heads) html_ += text_of("<th>", head, "</th>");
-    html_ += "</tr></thead><tbody>\n";
-  }
-  void row(std::initializer_list<std::string> cells, bool wrong) {
-    html_ += wrong ? "<tr class=wrong>" : "<tr>";
-    std::size_t column = 0;
-    // Its head again, for pages so narrow that a row is a list.
-    for (const std::string& cell : cells)
-      html_ += text_of("<td data-head=\"", heads_.at(column++), "\">", escaped(cell), "</td>");
-    html_ += "</tr>\n";
-  }
-  [[nodiscard]] std::string html() const { return html_ + "</tbody></table>\n"; }
-
- private:
-  std::vector<const char*> heads_;
-  std::string html_;
-};
+// The class of a row that tells of something wrong.
+std::string_view marked(bool wrong) { return wrong ? "wrong" : ""; }
 
 std::string faults_html(const ExtremesReport& report) {
   if (report.faults.empty()) return "<p>None.</p>\n";
@@ -72,7 +40,7 @@ std::string faults_html(const ExtremesReport& report) {
   for (const Fault& fault : report.faults) {
     table.row({fault.api, fault.group + ": " + fault.name, fault.text,
                text_of(fault.link, " --size ", fault.width, "x", fault.height, " --time ", fault.seconds)},
-              true);
+              marked(true));
   }
   return table.html();
 }
@@ -83,7 +51,7 @@ std::string groups_html(const ExtremesReport& report) {
   for (const GroupTally& g : report.groups) {
     table.row({g.api, g.group, text_of(g.cases), text_of(g.faulty), text_of(g.hidden), text_of(g.compared),
                short_number(g.off), short_number(1e-3 * g.milliseconds)},
-              g.faulty > 0);
+              marked(g.faulty > 0));
   }
   return table.html();
 }
@@ -103,7 +71,7 @@ std::string limits_html(const ExtremesReport& report) {
     table.row({limit.technique, text_of(limit.path, ", ", limit.unit), limit.error, short_number(limit.demand),
                short_number(limit.worst_within()), beyond == nullptr ? "nowhere" : "at " + format_number(beyond->value),
                points_of(limit)},
-              !limit.keeps_its_word());
+              marked(!limit.keeps_its_word()));
   }
   return table.html();
 }
@@ -113,27 +81,20 @@ std::string invariances_html(const ExtremesReport& report) {
   for (const Invariance& found : report.invariances) {
     table.row({found.what, found.error, short_number(found.measured), short_number(found.bound),
                short_number(found.at_stake)},
-              !found.holds());
+              marked(!found.holds()));
   }
   return table.html();
 }
 
-constexpr const char* page_head = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>Terrella at the extremes</title>
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<style>
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem; color: #1c2530; }
-table { border-collapse: collapse; width: 100%; margin: .5rem 0 2rem; }
-th, td { text-align: left; vertical-align: top; padding: .3rem .6rem; border-bottom: 1px solid #d5dbe3; overflow-wrap: anywhere; }
-th { background: #eef2f7; overflow-wrap: normal; }
-.wrong td { background: #fdeaea; }
+// In narrow windows a row is a list, each cell after its head.
+constexpr const char* styles = R"(
+td { overflow-wrap: anywhere; }
 @media (max-width: 50rem) {
   thead { display: none; }
-  tr { display: block; padding: .4rem 0; border-bottom: 1px solid #d5dbe3; }
+  tr { display: block; padding: .4rem 0; border-bottom: 1px solid var(--line); }
   td { display: grid; grid-template-columns: 9rem 1fr; padding: .1rem 0; border: 0; }
-  td::before { content: attr(data-head); color: #5a6675; }
+  td::before { content: attr(data-head); color: var(--soft); }
 }
-</style></head><body>
 )";
 
 }  // namespace
@@ -192,10 +153,9 @@ std::string extremes_json(const ExtremesReport& report) {
 }
 
 std::string extremes_page(const ExtremesReport& report) {
-  std::string page = page_head;
-  page += text_of("<h1>Terrella at the extremes</h1>\n<p>Drawn by ", escaped(report.renderer), ", extent ",
-                  name_of(report.extent), ", in ", short_number(report.seconds),
-                  " s: ", report.holds() ? "all holds" : "<strong>not all holds</strong>", ".</p>\n");
+  std::string page = text_of("<h1>Terrella at the extremes</h1>\n<p>Drawn by ", escaped(report.renderer), ", extent ",
+                             name_of(report.extent), ", in ", short_number(report.seconds),
+                             " s: ", report.holds() ? "all holds" : "<strong>not all holds</strong>", ".</p>\n");
   page += "<h2>Faults</h2>\n" + faults_html(report);
   page +=
       "<h2>Where techniques hold</h2>\n<p>The error of a technique along one parameter. A star marks values of which "
@@ -209,7 +169,7 @@ std::string extremes_page(const ExtremesReport& report) {
       "the "
       "techniques are in their range.</p>\n" +
       groups_html(report);
-  return page + "</body></html>\n";
+  return html_page("Terrella at the extremes", styles, page);
 }
 
 }  // namespace terrella

@@ -15,7 +15,7 @@ set(render passes)
 set(reference planet)
 set(panel scene)
 set(app render panel)
-set(measure render reference)
+set(measure app reference)
 set(rooms base scene formulas planet gl probe passes render reference panel app measure)
 
 set(faults "")

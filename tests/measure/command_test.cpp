@@ -1,9 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <utility>
 
+#include <nlohmann/json.hpp>
+
+#include "base/text.hpp"
 #include "native/cmd_measure.hpp"
+#include "sanitized.hpp"
 
 namespace terrella {
 namespace {
@@ -23,12 +29,60 @@ Outcome run(const std::string& line) {
   return outcome;
 }
 
-TEST(MeasureCommand, SaysThatOnlyTheExtremesAreThereSoFar) {
-  const std::string folder = testing::TempDir() + "terrella_measured";
-  const Outcome outcome = run("measure --preset storm --out " + folder);
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(outcome.said, "measure: only the extremes can be measured so far; give --extremes.\n");
+// An old report, or what somebody takes for one; gone with its owner.
+class OldReport {
+ public:
+  explicit OldReport(const std::string& text) : path(testing::TempDir() + "terrella_old_report.json") {
+    std::ofstream(path) << text;
+  }
+  ~OldReport() { std::filesystem::remove(path); }
+  OldReport(const OldReport&) = delete;
+  OldReport& operator=(const OldReport&) = delete;
+
+  const std::string path;
+};
+
+TEST(MeasureCommand, SaysWhatIsWrongAndMakesNoFolder) {
+  const std::string folder = testing::TempDir() + "terrella_not_measured";
+  const std::pair<const char*, const char*> cases[] = {
+      {"--preset strom", "preset: there is no preset \"strom\"; did you mean storm?\n"},
+      {"--set quality.pixel_errors=1",
+       "quality.pixel_errors: there is no such parameter; did you mean quality.pixel_error?\n"},
+      {"--size 0x10", "--size: \"0x10\" is not a size; give WIDTHxHEIGHT, each 1 to 4096, as in 1280x720.\n"},
+      {"--size 8192x64", "--size: \"8192x64\" is not a size; give WIDTHxHEIGHT, each 1 to 4096, as in 1280x720.\n"},
+      {"--gl vulkan", "--gl: \"vulkan\" is not a kind of OpenGL; there are core and es.\n"}};
+  for (const auto& [options, sentence] : cases) {
+    const Outcome outcome = run(text_of("measure ", options, " --out ", folder));
+    EXPECT_EQ(outcome.code, 2) << options;
+    EXPECT_EQ(outcome.said, sentence) << options;
+  }
   EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(MeasureCommand, SaysWhyAnOldReportIsNone) {
+  EXPECT_EQ(run("measure --out unused --against /no/such/file").code, 2);
+  const std::pair<const char*, const char*> cases[] = {
+      {"", ": is not a report: it is no JSON object.\n"},
+      {"\x01\xff garbage", ": is not a report: it is no JSON object.\n"},
+      {"[1, 2]", ": is not a report: it is no JSON object.\n"},
+      {"{\"renderer\": \"an extremes' report\"}", ": is not a report of the trade: it has no schema.\n"},
+      {"{\"schema\": 999}", ": is of schema 999; this program reads 1.\n"},
+      {"{\"schema\": 1}", ": is not a whole report: times or errors of its settings are missing.\n"}};
+  for (const auto& [text, sentence] : cases) {
+    const OldReport old(text);
+    const Outcome outcome = run(text_of("measure --out unused --against ", old.path));
+    EXPECT_EQ(outcome.code, 2) << text;
+    EXPECT_EQ(outcome.said, old.path + sentence) << text;
+  }
+}
+
+TEST(MeasureCommand, ExtremesHaveNoneOfTheTrade) {
+  for (const char* option : {"--size 64x36", "--gl es", "--against unused"}) {
+    const Outcome outcome = run(text_of("measure --extremes --out unused ", option));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.said, text_of(std::string(option).substr(0, std::string(option).find(' ')),
+                                    ": is for the trade of speed for accuracy; --extremes has none of it.\n"));
+  }
 }
 
 TEST(MeasureCommand, DrawsItsOwnScenes) {
@@ -41,6 +95,30 @@ TEST(MeasureCommand, SaysWhichFolderCannotBeMadeBeforeItMeasures) {
   const Outcome outcome = run("measure --extremes --out /dev/null/folder");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_EQ(outcome.said, "/dev/null/folder: cannot be made: Not a directory.\n");
+}
+
+// From end to end: writes both files, and finds that an older report was better when it says so.
+TEST(MeasureCommand, MeasuresTheTradeAndComparesIt) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "terrella_trade";
+  const std::string line = text_of(
+      "measure --quick --size 32x18 --set clouds.model=none --set water.model=none --set stars.model=none "
+      "--set lights.density=0 --set terrain.octaves=4 --out ",
+      folder.string());
+  EXPECT_EQ(run(line).code, 0);
+  auto report = nlohmann::json::parse(std::ifstream(folder / "report.json"));
+  EXPECT_EQ(report["machine"]["size"], (nlohmann::json{32, 18}));
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+  if (!test::sanitized) {  // where this takes its time and sees nothing new
+    for (auto& setting : report["settings"]) setting["psnr"] = 1.0 + setting["psnr"].get<double>();
+    const OldReport better(report.dump());
+    testing::internal::CaptureStdout();
+    const Outcome outcome = run(line + " --against " + better.path);
+    const std::string told = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.said.find("became slower or less accurate than in " + better.path), std::string::npos);
+    EXPECT_NE(told.find(" is less accurate: "), std::string::npos) << told;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(MeasureCommand, NeedsAFolder) {

@@ -1,0 +1,24 @@
+#include "measure/counters.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr Counter all[] = {
+    {"triangles", "triangles", 1.0, [](const RenderStats& s) { return static_cast<double>(s.triangles); }},
+    {"noise_evaluations", "noise, k", 1e3,
+     [](const RenderStats& s) { return static_cast<double>(s.noise_evaluations); }},
+    {"draw_calls", "draw calls", 1.0, [](const RenderStats& s) { return static_cast<double>(s.draw_calls); }},
+    {"gpu_bytes", "GPU, MB", 1e6, [](const RenderStats& s) { return static_cast<double>(s.gpu_bytes); }},
+};
+
+}  // namespace
+
+std::span<const Counter> counters() { return all; }
+
+std::vector<double> counted(const RenderStats& stats) {
+  std::vector<double> values;
+  for (const Counter& counter : all) values.push_back(counter.of(stats));
+  return values;
+}
+
+}  // namespace terrella
