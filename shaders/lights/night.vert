@@ -12,12 +12,13 @@ out vec2 square_place;  // in radii of the light
 
 void main() {
   vec3 offset = from_eye(light.xyz);
+  float pixel_angle = fineness.z * ray_forward.w;
   TownLight town =
-      town_light(light.xyz, offset, light.w, lights_color.rgb, lights_brightness, ray_forward.w, scene_light());
-  square_light = town.light;
+      town_light(light.xyz, offset, light.w, lights_color.rgb, lights_brightness, pixel_angle, scene_light());
+  square_light = fineness.w * town.light;
   vec2 corner = square_corner();
   square_place = 2.0 * corner;
   // Nearer along the ray by its own size, so that the ground it stands on does not cut it.
   gl_Position = clip_from_eye * vec4(offset * max(1.0 - 0.004 / length(offset), 0.5), 1.0);
-  gl_Position.xy += corner * 4.0 * town.radius / picture_size * gl_Position.w;
+  gl_Position.xy += corner * 4.0 * fineness.z * town.radius / picture_size * gl_Position.w;
 }

@@ -106,6 +106,7 @@ View Session::view() const {
   view.width = std::clamp(static_cast<int>(width_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.seconds = seconds_;
+  view.scale = document_.scene.quality.resolution_scale * auto_scale_;
   // Into the middle of what the panel leaves free.
   const Covered hidden = panel_shown_ ? panel_.covered() : Covered();
   const glm::dvec2 covered = glm::dvec2(hidden.left, hidden.below) / scale_;

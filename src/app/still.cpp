@@ -61,6 +61,7 @@ Image shown(Renderer& renderer, const Scene& scene, const StillOptions& options,
   view.width = std::max(1, static_cast<int>(tile.width * scene.quality.resolution_scale + 0.5));
   view.height = std::max(1, static_cast<int>(tile.height * scene.quality.resolution_scale + 0.5));
   view.shift *= glm::dvec2(view.width, view.height) / glm::dvec2(tile.width, tile.height);
+  view.scale = scene.quality.resolution_scale;
   renderer.draw(scene, view, {});
   const gl::Target target(tile.width, tile.height, gl::Format::rgba8, false);
   target.begin();

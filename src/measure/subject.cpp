@@ -58,6 +58,7 @@ double Subject::frame(Stopwatch& stopwatch) {
   view.width = drawn(width_, scene_);
   view.height = drawn(height_, scene_);
   view.seconds = seconds_;
+  view.scale = scene_.quality.resolution_scale;
   seconds_ += between_frames;
   return stopwatch.time([&] {
     renderer_.draw(scene_, view, {Channel::color, Effort::live, false});

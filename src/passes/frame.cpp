@@ -74,7 +74,10 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.water_extinction = vector(water_look_of(scene).extinction);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, 0.0);
   block.sky_glow = vector(light.sky_glow);
-  block.fineness = glm::vec4(footprint_of_pixel(scene), scene.quality.ground_texel_size, 0.0, 0.0);
+  // Points of light have their size in the picture that is shown; where fewer pixels are drawn they are as small as can
+  // be, and dimmer for it.
+  block.fineness = glm::vec4(footprint_of_pixel(scene), scene.quality.ground_texel_size, std::max(view.scale, 1.0),
+                             std::pow(std::min(view.scale, 1.0), 2.0));
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

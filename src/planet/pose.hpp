@@ -15,6 +15,7 @@ struct View {
   int width = 1280;       // pixels, >= 1
   int height = 720;       // pixels, >= 1
   double seconds = 0.0;   // since the scene began
+  double scale = 1.0;     // pixels along a side for each one that is shown
   glm::dvec2 shift{0.0};  // of all that is seen, in pixels right and down: for samples and tiles, or past a panel
   double field = 1.0;     // tangent of half the angle that the height covers, as a multiple of that of half camera.fov:
                           // less for tiles of a larger picture, more for upright windows
