@@ -7,6 +7,7 @@ constexpr Counter all[] = {
     {"triangles", "triangles", 1.0, [](const RenderStats& s) { return static_cast<double>(s.triangles); }},
     {"noise_evaluations", "noise, k", 1e3,
      [](const RenderStats& s) { return static_cast<double>(s.noise_evaluations); }},
+    {"texture_reads", "reads, k", 1e3, [](const RenderStats& s) { return static_cast<double>(s.texture_reads); }},
     {"draw_calls", "draw calls", 1.0, [](const RenderStats& s) { return static_cast<double>(s.draw_calls); }},
     {"gpu_bytes", "GPU, MB", 1e6, [](const RenderStats& s) { return static_cast<double>(s.gpu_bytes); }},
 };

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/check.hpp"
+#include "planet/terrain.hpp"
 
 namespace terrella {
 namespace {
@@ -33,6 +34,8 @@ std::vector<Value> with(const Knob& knob, const Value& own) {
   return values;
 }
 
+bool has_waves(const Scene& scene) { return has_water(scene) && scene.waves.count > 0; }
+
 }  // namespace
 
 std::span<const Knob> knobs() {
@@ -45,7 +48,7 @@ std::span<const Knob> knobs() {
       {"quality.ground_texel_size", {64.0, 4.0, 1.7, 0.5}},
       {"quality.cloud_texels", {64, 128, 256, 384, 768}},
       {"quality.cloud_texel_size", {64.0, 8.0, 4.0, 1.0}},
-      {"quality.wave_height", {4.0, 0.5, 0.1}},
+      {"quality.wave_height", {4.0, 0.5, 0.1}, has_waves},
   };
   return all;
 }

@@ -13,6 +13,7 @@ namespace terrella {
 struct Knob {
   std::string_view path;      // of a parameter
   std::vector<Value> values;  // within its range, from the cheapest to the most accurate; two or more
+  bool (*matters)(const Scene& scene) = [](const Scene&) { return true; };  // whether it can change anything
 };
 
 std::span<const Knob> knobs();

@@ -36,7 +36,9 @@ class Chosen {
 
 std::vector<KnobTrade> knobs_for(const Scene& scene, bool few) {
   std::vector<KnobTrade> trades;
-  for (const Knob& knob : knobs()) trades.push_back({&knob, values_for(knob, scene, few), {}});
+  for (const Knob& knob : knobs()) {
+    if (knob.matters(scene)) trades.push_back({&knob, values_for(knob, scene, few), {}});
+  }
   return trades;
 }
 

@@ -10,8 +10,8 @@ namespace terrella {
 
 std::string picture_html(const Image& image, const std::string& what) {
   const std::string png = encode_png(image.channels == 1 ? heat(image, brightest_error) : image);
-  return text_of("<img loading=\"lazy\" width=\"", image.width, "\" height=\"", image.height, "\" alt=\"",
-                 escaped(what), "\" src=\"data:image/png;base64,", base64(png), "\">");
+  return text_of("<img width=\"", image.width, "\" height=\"", image.height, "\" alt=\"", escaped(what),
+                 "\" src=\"data:image/png;base64,", base64(png), "\">");
 }
 
 std::string truths_html(const TradeReport& report) {

@@ -27,6 +27,17 @@ double planet_pixels(const View& view, const Pose& pose) {
   return std::isfinite(radius) ? std::min(all, std::numbers::pi * radius * radius) : all;
 }
 
+// How often pixels of the planet read a map: the ground its own, water that and the one of its bottom, clouds two
+// places of theirs, and what lies under them one more for its shade.
+int reads_a_pixel(const Needs& needs, const Scene& scene) {
+  const int surface = needs.water != Water::none ? 2 : needs.ground != Ground::none ? 1 : 0;
+  if (needs.clouds == Clouds::none) return surface;
+  return surface + 2 + (surface > 0 && scene.clouds.shadow > 0.0 ? 1 : 0);
+}
+
+// To fit a pixel of light to the screen, and to look whether it and its neighbours are an edge.
+constexpr int reads_to_show = 1, reads_to_smooth = 5;
+
 // Without water, heights count from the sphere.
 Scene scene_as_drawn(Scene scene, const Needs& needs) {
   scene.water.level = water_level(scene);
@@ -158,7 +169,12 @@ void Renderer::update_slots(const Frame& frame) {
   const int per_pixel = needs_.pixel_octaves_end - needs_.pixel_octaves_first +
                         (needs_.water == Water::calm ? needs_.ripple_layers : 0) + needs_.cloud_pixel_end -
                         needs_.cloud_pixel_first;
-  noise_evaluations_ += static_cast<std::int64_t>(planet_pixels(frame.view, frame.pose) * per_pixel);
+  const double planet = planet_pixels(frame.view, frame.pose);
+  noise_evaluations_ += static_cast<std::int64_t>(planet * per_pixel);
+  const double all = static_cast<double>(frame.view.width) * frame.view.height;
+  const int smoothing = frame.scene.quality.antialias ? reads_to_smooth : 0;
+  texture_reads_ =
+      static_cast<std::int64_t>(planet * (reads_a_pixel(needs_, frame.scene) + smoothing) + all * reads_to_show);
 }
 
 void Renderer::set_maps(const Frame& frame) {
@@ -216,6 +232,7 @@ RenderStats Renderer::stats() const {
   stats.triangles = gl::ledger().triangles;
   stats.draw_calls = gl::ledger().draw_calls;
   stats.noise_evaluations = noise_evaluations_;
+  stats.texture_reads = texture_reads_;
   stats.gpu_bytes = gl::ledger().bytes;
   stats.textures = gl::ledger().textures;
   stats.programs = gl::ledger().programs;

@@ -33,6 +33,7 @@ struct RenderStats {
   std::int64_t triangles = 0;
   int draw_calls = 0;
   std::int64_t noise_evaluations = 0;  // where pixels compute noise: at the most, by the planet's area in the picture
+  std::int64_t texture_reads = 0;      // of pixels, at the most, by the planet's area in the picture
   std::int64_t gpu_bytes = 0;
   int textures = 0;
   std::vector<std::string> programs;
@@ -91,7 +92,7 @@ class Renderer {
   PictureBox planet_box_;
   Effort effort_ = Effort::complete;  // of the last draw
   Pose pose_{};
-  std::int64_t noise_evaluations_ = 0;
+  std::int64_t noise_evaluations_ = 0, texture_reads_ = 0;
 };
 
 }  // namespace terrella

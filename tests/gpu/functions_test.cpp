@@ -49,7 +49,9 @@ TEST_P(OnGpu, Noise) {
     const f64::Noise expected = f64::simplex_noise(glm::ivec3(0), q, 7U);
     ASSERT_NEAR(plain[i].w, expected.value, 5e-4);
     ASSERT_LT(glm::distance(glm::dvec3(plain[i]), expected.gradient), 2e-3);
-    ASSERT_NEAR(flow[i].w, f64::flow_noise(glm::ivec3(0), q, double{in[2 * i].w}, 7U).value, 5e-4);
+    // Directions that turn are of a length within a thousandth of 1 where a GPU takes medium precision at its word:
+    // NVIDIA's was measured to be off by 5.4e-4 in OpenGL ES.
+    ASSERT_NEAR(flow[i].w, f64::flow_noise(glm::ivec3(0), q, double{in[2 * i].w}, 7U).value, 1e-3);
   }
 }
 
