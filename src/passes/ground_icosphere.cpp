@@ -21,15 +21,14 @@ bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.low
 
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
-GroundIcosphere::Key GroundIcosphere::key_of(const Scene& scene, const Needs& needs) {
-  return {scene.planet,       scene.terrain,      water_level(scene), scene.water.ice_latitude,
-          needs.ground_level, needs.ground_texels};
+GroundIcosphere::Relief GroundIcosphere::relief_of(const Scene& scene) {
+  return {scene.planet, scene.terrain, water_level(scene), scene.water.ice_latitude};
 }
 
 void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {
-  const Key key = key_of(scene, needs);
-  if (key_ == key || begun_key_ == key) return;
-  begun_key_ = key;
+  const Relief relief = relief_of(scene);
+  if (relief_ == relief || begun_relief_ == relief) return;
+  begun_relief_ = relief;
   std::vector<glm::vec3> positions;
   displace(scene, coarse_level, spheres_.geometry(coarse_level).directions.size(), positions);
   begun_.emplace(make_surface(needs.ground_tolerance, coarse_level, std::move(positions)));
@@ -41,20 +40,22 @@ void GroundIcosphere::want(const Needs& needs) {
 
 void GroundIcosphere::update(const Frame& frame) {
   noise_evaluations_ = 0;
-  const Key key = key_of(frame.scene, frame.needs);
-  const bool changed = !key_ || *key_ != key;
+  const Relief relief = relief_of(frame.scene);
+  const bool changed = relief_ != relief;
   if (changed) {
     if (frame.effort != Effort::complete) begin(frame.scene, frame.needs);
-    key_ = key;
-    coarse_done_ = fine_done_ = false;
-    fine_positions_.clear();
-    fine_bake_.restart();
+    relief_ = relief;
+    fine_.reset();
+    former_.reset();
+    making_.reset();
   }
+  wanted_ = {frame.needs.ground_level, frame.needs.ground_texels};
+  if (!settled() && former_ && former_->fineness == wanted_) std::swap(fine_, former_);
   if (frame.effort == Effort::complete) {
-    while (!fine_done_) advance_fine(frame);
+    while (!settled()) advance_fine(frame);
   } else if (changed) {
     make_coarse(frame);
-  } else if (!fine_done_ && frame.effort == Effort::live) {
+  } else if (!settled() && frame.effort == Effort::live) {
     advance_fine(frame);
   }
 }
@@ -70,37 +71,45 @@ void GroundIcosphere::make_coarse(const Frame& frame) {
   if (!coarse_map_) coarse_map_ = std::make_unique<gl::CubeMap>(coarse_ground_texels, gl::Format::rgba16f);
   coarse_bake_.restart();
   bake(frame, coarse_bake_, *coarse_map_, CubeBake::rows(coarse_ground_texels));
-  begun_key_.reset();
+  begun_relief_.reset();
   coarse_ = std::exchange(begun_, {});
   noise_evaluations_ += static_cast<std::int64_t>(coarse_->positions.size()) *
                         noise_per_height(frame.scene, icosphere_edge(coarse_level));
-  coarse_done_ = true;
+}
+
+void GroundIcosphere::begin_fine() {
+  making_.emplace();
+  making_->fineness = wanted_;
+  making_->map = std::make_unique<gl::CubeMap>(wanted_.texels, gl::Format::rgba16f);
 }
 
 void GroundIcosphere::advance_fine(const Frame& frame) {
+  if (!making_ || making_->fineness != wanted_) begin_fine();
   const bool at_once = frame.effort == Effort::complete;
-  const Icosphere& sphere = spheres_.geometry(key_->level);
-  if (!fine_map_ || fine_map_->side() != key_->texels) {
-    fine_map_ = std::make_unique<gl::CubeMap>(key_->texels, gl::Format::rgba16f);
+  Making& making = *making_;
+  if (!making.bake.done(*making.map)) {
+    const int noise_each = noise_per_height(frame.scene, texel_angle(wanted_.texels));
+    const auto rows = static_cast<int>(map_noise_a_frame / (std::int64_t{wanted_.texels} * noise_each));
+    bake(frame, making.bake, *making.map, at_once ? CubeBake::rows(wanted_.texels) : rows);
   }
-  if (!fine_bake_.done(*fine_map_)) {
-    const int noise_each = noise_per_height(frame.scene, texel_angle(key_->texels));
-    const auto rows = static_cast<int>(map_noise_a_frame / (std::int64_t{key_->texels} * noise_each));
-    bake(frame, fine_bake_, *fine_map_, at_once ? CubeBake::rows(key_->texels) : rows);
-  }
-  if (fine_positions_.size() < sphere.directions.size()) {
-    const int noise_each = noise_per_height(frame.scene, icosphere_edge(key_->level));
+  const std::size_t all = spheres_.geometry(wanted_.level).directions.size();
+  if (making.positions.size() < all) {
+    const int noise_each = noise_per_height(frame.scene, icosphere_edge(wanted_.level));
     const auto share = static_cast<std::size_t>(mesh_noise_a_frame / noise_each);
-    const std::size_t end = at_once ? sphere.directions.size() : fine_positions_.size() + share;
-    const std::size_t before = fine_positions_.size();
-    displace(frame.scene, key_->level, std::min(end, sphere.directions.size()), fine_positions_);
-    noise_evaluations_ += static_cast<std::int64_t>(fine_positions_.size() - before) * noise_each;
+    const std::size_t before = making.positions.size(), end = at_once ? all : before + share;
+    displace(frame.scene, wanted_.level, std::min(end, all), making.positions);
+    noise_evaluations_ += static_cast<std::int64_t>(making.positions.size() - before) * noise_each;
   }
-  const bool all_there = fine_positions_.size() == sphere.directions.size();
-  if (fine_bake_.done(*fine_map_) && all_there) {
-    fine_.emplace(make_surface(frame.needs.ground_tolerance, key_->level, std::exchange(fine_positions_, {})));
-    fine_done_ = true;
-  }
+  if (making.bake.done(*making.map) && making.positions.size() == all) finish_fine(frame);
+}
+
+void GroundIcosphere::finish_fine(const Frame& frame) {
+  // A larger map than is asked for is not worth its memory.
+  former_.reset();
+  if (fine_ && fine_->fineness.texels <= wanted_.texels) former_ = std::move(fine_);
+  fine_.emplace(wanted_, make_surface(frame.needs.ground_tolerance, wanted_.level, std::move(making_->positions)),
+                std::move(making_->map));
+  making_.reset();
 }
 
 void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows) {
@@ -119,9 +128,9 @@ void GroundIcosphere::displace(const Scene& scene, int level, std::size_t end, s
   }
 }
 
-void GroundIcosphere::bind_map(double level) { (fine_done_ ? fine_map_ : coarse_map_)->bind(gl::unit_ground, level); }
+void GroundIcosphere::bind_map(double level) { drawn_map().bind(gl::unit_ground, level); }
 
-double GroundIcosphere::map_texel_angle() const { return texel_angle((fine_done_ ? fine_map_ : coarse_map_)->side()); }
+double GroundIcosphere::map_texel_angle() const { return texel_angle(drawn_map().side()); }
 
 void GroundIcosphere::draw(const Frame& frame) {
   if (refines_ground(frame.needs)) {
@@ -129,7 +138,7 @@ void GroundIcosphere::draw(const Frame& frame) {
     layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   }
   draw_program_.use(frame.effort == Effort::complete);
-  Surface& surface = fine_done_ ? *fine_ : *coarse_;
+  Surface& surface = fine_ ? fine_->surface : *coarse_;
   if (surface.tolerance != frame.needs.ground_tolerance) {
     surface.tolerance = frame.needs.ground_tolerance;
     surface.mesh.set(simplified(spheres_.geometry(surface.level), surface.positions, surface.tolerance));

@@ -1,5 +1,6 @@
 // The ground as a displaced icosphere (Sandahl 2022, section 2.1). Heights are computed when a parameter changes: at
-// once for a coarse mesh and map, over the following frames for the fine ones.
+// once for a coarse mesh and map, over the following frames for the fine ones. Where only their fineness is to be
+// another, what is there is shown until the new is made, and kept, so that to go back takes no time.
 #pragma once
 
 #include <memory>
@@ -39,19 +40,23 @@ class GroundIcosphere {
   // Where the surface lies that is drawn, over each group of the icosphere.
   [[nodiscard]] std::span<const RadiusRange> ranges() const { return drawn().ranges; }
 
-  // Whether nothing finer is still to come.
-  [[nodiscard]] bool settled() const { return fine_done_; }
+  // Whether it is drawn as the last update's needs ask.
+  [[nodiscard]] bool settled() const { return fine_ && fine_->fineness == wanted_; }
   // Noise evaluated by the last update.
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
   // What the heights depend on.
-  struct Key {
+  struct Relief {
     decltype(Scene::planet) planet;
     decltype(Scene::terrain) terrain;
     double water_level, ice_latitude;
-    int level, texels;
-    bool operator==(const Key&) const = default;
+    bool operator==(const Relief&) const = default;
+  };
+
+  struct Fineness {
+    int level = 0, texels = 0;  // of the mesh, and of the map
+    bool operator==(const Fineness&) const = default;
   };
 
   struct Surface {
@@ -62,11 +67,29 @@ class GroundIcosphere {
     double tolerance;  // within which its triangles keep to the positions, radii
   };
 
-  static Key key_of(const Scene& scene, const Needs& needs);
-  [[nodiscard]] const Surface& drawn() const { return fine_done_ ? *fine_ : *coarse_; }
+  // Mesh and map, whole.
+  struct Fine {
+    Fineness fineness;
+    Surface surface;
+    std::unique_ptr<gl::CubeMap> map;
+  };
+
+  // The same while they are made.
+  struct Making {
+    Fineness fineness;
+    std::vector<glm::vec3> positions;
+    std::unique_ptr<gl::CubeMap> map;
+    CubeBake bake;
+  };
+
+  static Relief relief_of(const Scene& scene);
+  [[nodiscard]] const Surface& drawn() const { return fine_ ? fine_->surface : *coarse_; }
+  [[nodiscard]] gl::CubeMap& drawn_map() const { return fine_ ? *fine_->map : *coarse_map_; }
   Surface make_surface(double tolerance, int level, std::vector<glm::vec3> positions);
   void make_coarse(const Frame& frame);
+  void begin_fine();
   void advance_fine(const Frame& frame);
+  void finish_fine(const Frame& frame);
   void bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows);
   // Computes the vertices from the number made so far up to an end.
   void displace(const Scene& scene, int level, std::size_t end, std::vector<glm::vec3>& positions);
@@ -75,15 +98,15 @@ class GroundIcosphere {
   gl::Program bake_program_{"ground/bake", "picture/cube_face"};
   gl::ProgramChoice draw_program_{"ground/icosphere"};
   gl::UniformBuffer layers_;
-  std::optional<Key> key_;
-  std::optional<Surface> coarse_, fine_;
-  std::optional<Key> begun_key_;
-  std::optional<Surface> begun_;  // coarse, of begun_key_, not yet drawn
-  std::unique_ptr<gl::CubeMap> coarse_map_, fine_map_;
-  CubeBake coarse_bake_, fine_bake_;
-  std::vector<glm::vec3> fine_positions_;
-  bool coarse_done_ = false;
-  bool fine_done_ = false;
+  std::optional<Relief> relief_;
+  std::optional<Relief> begun_relief_;
+  std::optional<Surface> begun_;  // coarse, of begun_relief_, not yet drawn
+  std::optional<Surface> coarse_;
+  std::unique_ptr<gl::CubeMap> coarse_map_;
+  CubeBake coarse_bake_;
+  Fineness wanted_;
+  std::optional<Fine> fine_, former_;  // of relief_
+  std::optional<Making> making_;
   std::int64_t noise_evaluations_ = 0;
 };
 
