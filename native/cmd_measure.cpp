@@ -18,20 +18,22 @@ struct MeasureOptions {
   std::string out;
   bool extremes = false;
   bool quick = false;
+  bool path = false;
   std::optional<std::string> size, gl, against;
 };
 
 // What belongs to the trade alone.
 void refuse_for_extremes(const MeasureOptions& options, Issues& issues) {
   const SceneOptions& scene = options.scene;
-  if (scene.preset || scene.scene_file || scene.link || !scene.settings.empty())
-    issues.add("--extremes", "draws scenes of its own; leave out --preset, --scene, --link and --set.");
+  if (scene.preset || scene.scene_file || scene.link || scene.quality || !scene.settings.empty())
+    issues.add("--extremes", "draws scenes of its own; leave out --preset, --scene, --link, --quality and --set.");
   const auto refuse = [&](bool given, const char* option) {
     if (given) issues.add(option, "is for the trade of speed for accuracy; --extremes has none of it.");
   };
   refuse(options.size.has_value(), "--size");
   refuse(options.gl.has_value(), "--gl");
   refuse(options.against.has_value(), "--against");
+  refuse(options.path, "--path");
 }
 
 void read_old(const std::string& path, TradeTask& task, Issues& issues) {
@@ -53,6 +55,7 @@ TradeTask understand(const MeasureOptions& options, Issues& issues) {
   issues.add(choice.issues);
   task.document = choice.document;
   task.plan = trade_plan(options.quick);
+  task.plan.path_only = options.path;
   task.folder = options.out;
   if (options.size) read_size(*options.size, task.plan.width, task.plan.height, largest, issues);
   if (options.gl) check_gl(*options.gl, issues);
@@ -87,6 +90,7 @@ void add_measure_command(CLI::App& program, int& exit_code) {
   command->add_option("--gl", options->gl, "core or es (core)");
   command->add_flag("--extremes", options->extremes,
                     "Drive the renderer to the ends of every parameter, view and size instead");
+  command->add_flag("--path", options->path, "Measure only the steps that hold quality.target_ms, with this scene");
   command->add_flag("--quick", options->quick, "Small pictures, few settings and rounds: under a minute");
   command->callback([options, &exit_code] { exit_code = measure(*options); });
 }

@@ -6,7 +6,7 @@
 #include "gl/caps.hpp"
 #include "measure/report.hpp"
 #include "native/egl_context.hpp"
-#include "native/measure_folder.hpp"
+#include "native/measuring.hpp"
 #include "native/progress_bar.hpp"
 
 namespace terrella {
@@ -16,8 +16,7 @@ namespace {
 std::string measure_in(Api api, ExtremesReport& report) {
   const auto context = EglContext::make(api);
   if (!context) return context.sentence();
-  if (!gl::caps().full_float_targets)
-    return "This machine's OpenGL cannot draw to 32 bit floats, which measuring needs.";
+  if (std::string failure = beyond_this_machine(); !failure.empty()) return failure;
   const char* const name = api == Api::core ? "core" : "es";
   report.renderer = gl::caps().renderer;
   Renderer renderer;
@@ -44,7 +43,7 @@ std::string measure_extremes(const std::string& folder, bool quick) {
   }
   if (!failure.empty()) return failure;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  failure = write_report(folder, extremes_json(report), extremes_page(report));
+  failure = write_files(folder, {{"report.json", extremes_json(report)}, {"index.html", extremes_page(report)}});
   if (failure.empty() && !report.holds())
     failure = text_of("Not all holds at the extremes; ", folder, "/index.html tells what.");
   return failure;

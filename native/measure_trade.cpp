@@ -7,21 +7,19 @@
 #include "gl/caps.hpp"
 #include "measure/trade_json.hpp"
 #include "measure/trade_page.hpp"
-#include "native/measure_folder.hpp"
+#include "measure/trade_path.hpp"
+#include "native/measuring.hpp"
 #include "native/progress_bar.hpp"
 
 namespace terrella {
 namespace {
 
-// Why this machine cannot measure this, or nothing.
-std::string beyond_this_machine(const TradeTask& task) {
-  if (!gl::caps().full_float_targets)
-    return "This machine's OpenGL cannot draw to 32 bit floats, which measuring needs.";
+// Why this machine cannot measure pictures of this size, or nothing.
+std::string too_large(const TradePlan& plan) {
   const double most = find_parameter("quality.resolution_scale")->max;
-  if (std::max(task.plan.width, task.plan.height) * most > gl::caps().max_texture)
-    return text_of("This machine measures pictures of at most ", static_cast<int>(gl::caps().max_texture / most),
-                   " pixels along a side.");
-  return {};
+  if (std::max(plan.width, plan.height) * most <= gl::caps().max_texture) return {};
+  return text_of("This machine measures pictures of at most ", static_cast<int>(gl::caps().max_texture / most),
+                 " pixels along a side.");
 }
 
 // On standard output.
@@ -41,12 +39,16 @@ std::string measure_trade(const TradeTask& task) {
   if (!failure.empty()) return failure;
   const auto context = EglContext::make(task.api);
   if (!context) return context.sentence();
-  if (failure = beyond_this_machine(task); !failure.empty()) return failure;
+  if (failure = beyond_this_machine(); !failure.empty()) return failure;
+  if (failure = too_large(task.plan); !failure.empty()) return failure;
   const TradeReport report = measure_trade(task.document, task.plan, show_progress);
   const std::string json = trade_json(report);
   std::optional<Comparison> comparison;
   if (task.before) comparison = compare(*task.before, *read_trade(json));
-  failure = write_report(task.folder, json, trade_page(report, comparison));
+  std::vector<NamedText> files = {{"report.json", json}, {"index.html", trade_page(report, comparison)}};
+  files.push_back({"table.md", path_table(report)});
+  if (!task.plan.path_only) files.push_back({"path.inc", path_inc(report)});
+  failure = write_files(task.folder, files);
   if (!failure.empty() || !comparison) return failure;
   tell(*comparison, task.against);
   if (comparison->worse.empty()) return {};

@@ -8,6 +8,7 @@
 #include "scene/link.hpp"
 #include "scene/parameters.hpp"
 #include "scene/presets.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 namespace {
@@ -27,6 +28,15 @@ void apply_file(const std::string& path, SceneChoice& choice) {
     choice.issues.add("", text.sentence());
   } else {
     choice.issues.add(load_json(choice.document, *text));
+  }
+}
+
+void apply_quality(const std::string& name, SceneChoice& choice) {
+  const QualityStep* step = find_quality(name);
+  if (step == nullptr) {
+    choice.issues.add(no_such_quality(name));
+  } else {
+    choice.document.scene = with_quality(choice.document.scene, *step);
   }
 }
 
@@ -50,6 +60,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("--link", options.link, "A scene as a link, or only the link's query")
       ->type_name("LINK")
       ->group(group);
+  command.add_option("--quality", options.quality, "A preset of the parameters of quality, from fast to reference")
+      ->type_name("NAME")
+      ->group(group);
   command.add_option("--set", options.settings, "A parameter; may be given many times; see `terrella manual`")
       ->type_name("group.name=value")
       ->allow_extra_args(false)
@@ -61,6 +74,7 @@ SceneChoice choose_scene(const SceneOptions& options) {
   if (options.preset) apply_preset(*options.preset, choice);
   if (options.scene_file) apply_file(*options.scene_file, choice);
   if (options.link) choice.issues.add(load_link(choice.document, *options.link));
+  if (options.quality) apply_quality(*options.quality, choice);
   for (const std::string& setting : options.settings) apply_setting(setting, choice);
   return choice;
 }

@@ -16,10 +16,11 @@ struct SceneOptions {
   std::optional<std::string> preset;
   std::optional<std::string> scene_file;
   std::optional<std::string> link;
+  std::optional<std::string> quality;
   std::vector<std::string> settings;  // "group.name=value"
 };
 
-// Adds --preset, --scene, --link and --set to a subcommand. `options` must outlive the parsing.
+// Adds --preset, --scene, --link, --quality and --set to a subcommand. `options` must outlive the parsing.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
 struct SceneChoice {
@@ -27,7 +28,8 @@ struct SceneChoice {
   Issues issues;  // if there are any, the command ends with exit code 2 and writes nothing
 };
 
-// The scene that the options ask for: the default, then the preset, the file, the link and the settings, in this order.
+// The scene that the options ask for: the default, then the preset, the file, the link, the quality and the
+// settings, in this order.
 SceneChoice choose_scene(const SceneOptions& options);
 
 // Reads the value of --size, "1280x720", each side 1 to most pixels; else leaves them and says why.

@@ -18,10 +18,11 @@ constexpr double time_to_rise = 0.4;                                  // s
 constexpr double time_to_probe = 1.5;                                 // s
 constexpr double shortest_patience = 20.0, longest_patience = 160.0;  // s
 
-double median_of(std::vector<double> times) {
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
+// What three of four frames keep to; of two the faster.
+double usual(std::vector<double> times) {
+  const auto place = static_cast<std::ptrdiff_t>(0.7 * static_cast<double>(times.size() - 1));
+  std::nth_element(times.begin(), times.begin() + place, times.end());
+  return times[static_cast<std::size_t>(place)];
 }
 
 }  // namespace
@@ -36,13 +37,15 @@ void QualityBudget::note(double now, double ms, double target) {
   if (times_.empty()) since_ = now - 0.001 * ms;
   times_.push_back(ms);
   const double elapsed = now - since_;
-  if (times_.size() < frames_to_fall && elapsed < time_to_fall) return;
-  const double median = median_of(times_);
-  if (median < 0.9 * floor_) floor_ = 0.0;
-  judge_change(median);
+  if (times_.size() < 2 || (times_.size() < frames_to_fall && elapsed < time_to_fall)) return;
+  // Single frames are late for reasons of their own.
+  const auto latest = std::min(times_.size(), frames_to_fall);
+  const double usual_ms = usual({times_.end() - static_cast<std::ptrdiff_t>(latest), times_.end()});
+  if (usual_ms < 0.8 * floor_) floor_ = 0.0;
+  judge_change(usual_ms);
   const double most = std::max(target, 1.05 * floor_);
-  if (median > too_long * most) return fall(now, median, most);
-  if (elapsed >= time_to_rise) rise(now, median, most);
+  if (usual_ms > too_long * most) return fall(now, usual_ms, most);
+  if (elapsed >= time_to_rise) rise(now, usual(times_), most);
   if (elapsed >= 2.0 * time_to_probe) times_.clear();  // what was long ago tells little
 }
 
@@ -64,7 +67,7 @@ int QualityBudget::finest_within(double most, double ms) const {
 
 void QualityBudget::fall(double now, double ms, double target) {
   if (step_ == 0) return times_.clear();
-  // A step that was not risen to did fit once: it may again, before long.
+  if (now > too_dear_until_ + patience_) patience_ = shortest_patience;  // the last time was another story
   too_dear_ = step_;
   too_dear_until_ = now + patience_;
   patience_ = std::min(2.0 * patience_, longest_patience);

@@ -100,13 +100,20 @@ gl::Screen Session::screen(GLuint framebuffer) const {
   return {framebuffer, static_cast<int>(width_ * scale_ + 0.5), static_cast<int>(height_ * scale_ + 0.5)};
 }
 
+// Beyond it, more samples a pixel would take more memory than they are worth where nobody asked for them.
+double Session::largest_scale() const {
+  constexpr double most_pixels = 4096.0 * 4096.0;  // 200 MB of light and depth
+  return std::max(1.0, std::sqrt(most_pixels / (static_cast<double>(width_) * height_)) / scale_);
+}
+
 View Session::view() const {
-  const double resolution = scale_ * document_.scene.quality.resolution_scale * auto_scale_;
   View view;
+  view.scale = shown().quality.resolution_scale;
+  if (document_.scene.quality.target_ms > 0.0) view.scale = std::min(view.scale, largest_scale());
+  const double resolution = scale_ * view.scale;
   view.width = std::clamp(static_cast<int>(width_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
   view.seconds = seconds_;
-  view.scale = document_.scene.quality.resolution_scale * auto_scale_;
   // Into the middle of what the panel leaves free.
   const Covered hidden = panel_shown_ ? panel_.covered() : Covered();
   const glm::dvec2 covered = glm::dvec2(hidden.left, hidden.below) / scale_;
@@ -149,21 +156,24 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   hand_on_typed_ahead();
   if (panel_wanted && panel_.shows_presets()) draw_preset_picture();
   if (!panel_shown_) ImGui::GetIO().ClearEventsQueue();  // which nobody reads
+  choose_quality(now);
   const bool refining = frames_ > 0 && !renderer_->settled() && !hand_on_value_;
   if (planet_stale_ || refining || frames_ == 0) {
     draw_planet(now);
     turn.drawn = true;
   } else {
+    last_drawn_.reset();  // what comes next follows on no frame of the planet
     turn.drawn = panel_wanted || panel_frames_ > 0;
   }
   if (turn.drawn) {
-    renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
+    renderer_->show(screen(framebuffer), shown().quality.antialias);
     if (panel_shown_ && painter_) painter_->draw(*ImGui::GetDrawData(), screen(framebuffer));
     if (panel_frames_ > 0) --panel_frames_;
   }
   turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
   const bool clock_runs = !paused_ && renderer_->needs().moving;
-  turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_;
+  turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_ ||
+               quality_.will_refine(document_.scene);
   at_rest_ = !turn.again;
   if (at_rest_) last_drawn_.reset();  // a pause is not a slow frame
   return turn;
@@ -183,6 +193,15 @@ void Session::advance_clock(double elapsed) {
   if (renderer_->needs().moving) planet_stale_ = true;
 }
 
+// A planet that rests is drawn as well as can be, and one that moves as fast as is asked.
+void Session::choose_quality(double now) {
+  if (planet_stale_ || camera_.moving() || hand_is_busy()) {
+    quality_.moved();
+  } else if (frames_ > 0 && renderer_->settled() && quality_.rested(now, document_.scene)) {
+    planet_stale_ = true;
+  }
+}
+
 void Session::draw_planet(double now) {
   renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
   planet_stale_ = false;
@@ -192,18 +211,19 @@ void Session::draw_planet(double now) {
 
 void Session::note_frame_time(double now) {
   if (frames_ == 1) first_frame_ms_ = 1000.0 * (now - made_at_);
-  if (last_drawn_) frame_ms_.push_back(1000.0 * (now - *last_drawn_));
+  if (last_drawn_) {
+    frame_ms_.push_back(1000.0 * (now - *last_drawn_));
+    // What refines the ground, or a hand that holds it coarse, makes no common frame.
+    if (renderer_->settled() && !hand_on_value_) {
+      quality_.note(now, frame_ms_.back(), document_.scene);
+    } else {
+      quality_.interrupt();
+    }
+  } else {
+    quality_.interrupt();
+  }
   last_drawn_ = now;
   if (frame_ms_.size() > frames_timed) frame_ms_.pop_front();
-  // The resolution follows the time that frames take; slowly, so that it does not swing.
-  const double target = document_.scene.quality.target_ms;
-  if (target == 0.0) {
-    auto_scale_ = 1.0;
-  } else if (frame_ms_.size() >= 8 && frames_ % 8 == 0) {
-    const double median = spread_of({frame_ms_.end() - 8, frame_ms_.end()}).median;
-    if (median > 1.15 * target) auto_scale_ = std::max(0.25, auto_scale_ * 0.88);
-    if (median < 0.75 * target) auto_scale_ = std::min(1.0, auto_scale_ * 1.06);
-  }
 }
 
 // Runs the panel's logic on the events since the last time; what it shows is drawn later.
@@ -283,6 +303,7 @@ PanelFacts Session::facts() const {
   for (const Decision& d : renderer_->needs().decisions) facts.decisions.push_back({d.what, d.chosen, d.why});
   facts.notices = notices_;
   facts.beyond = beyond();
+  facts.quality = quality_.step_for(document_.scene);
   if (preset_pictures_) facts.preset_pictures = preset_pictures_->textures();
   return facts;
 }
@@ -395,9 +416,9 @@ void Session::copy_failed() {
 void Session::render_at(double seconds, GLuint framebuffer) {
   if (!renderer_) return;
   seconds_ = seconds;
-  renderer_->draw(document_.scene, view(), {});
+  renderer_->draw(shown(), view(), {});
   ++frames_;
-  renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
+  renderer_->show(screen(framebuffer), shown().quality.antialias);
   planet_stale_ = false;
   panel_frames_ = 2;
   unsigned char pixel[4];
@@ -412,7 +433,9 @@ Image Session::picture(int width, int height, bool transparent) {
   options.seconds = seconds_;
   options.field = field_of(width, height);
   options.transparent = transparent;
-  return take_picture(*renderer_, document_.scene, options);
+  const Scene& scene = document_.scene;
+  const bool held = scene.quality.target_ms > 0.0;  // of frames; a picture that is kept may take its time
+  return take_picture(*renderer_, held ? with_quality(scene, quality_path().back()) : scene, options);
 }
 
 std::string Session::stats() const {
@@ -428,6 +451,7 @@ std::string Session::stats() const {
     report.work = renderer_->stats();
     report.needs = renderer_->needs();
   }
+  report.quality = quality_.step_for(document_.scene);
   report.issues = notices_;
   for (std::string& sentence : beyond()) report.issues.push_back(std::move(sentence));
   return to_json(report);

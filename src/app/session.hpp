@@ -15,6 +15,7 @@
 #include "app/input.hpp"
 #include "app/panel_painter.hpp"
 #include "app/preset_pictures.hpp"
+#include "app/quality_control.hpp"
 #include "base/image.hpp"
 #include "panel/panel.hpp"
 #include "render/renderer.hpp"
@@ -120,10 +121,12 @@ class Session {
   bool lead_into_panel();
   void share_clipboard();
   void hand_on_typed_ahead();
+  double largest_scale() const;
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
-  // What is drawn: the scene or, while comparing, the planet as it was opened, seen from where the camera is now.
+  // What is drawn: the scene or, while comparing, the planet as it was opened, seen from where the camera is now; with
+  // the quality that holds its target.
   Scene shown() const;
   void compare(bool wanted);
   void surprise();
@@ -138,6 +141,7 @@ class Session {
   void obey(const PanelWishes& wishes);
   void keep_habits();
   void advance_clock(double seconds);
+  void choose_quality(double now);
   void draw_planet(double now);
   void draw_preset_picture();
   void note_frame_time(double now);
@@ -156,6 +160,7 @@ class Session {
   Panel panel_;
   std::string kept_habits_ = panel_.habits();
   CameraControl camera_;
+  QualityControl quality_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<PresetPictures> preset_pictures_;  // from when they are first asked for in a context
 
@@ -190,7 +195,6 @@ class Session {
   std::optional<double> last_drawn_;
   std::deque<double> frame_ms_;
   double first_frame_ms_ = 0.0;
-  double auto_scale_ = 1.0;  // of the resolution, to hold quality.target_ms
   std::int64_t frames_ = 0;
 };
 

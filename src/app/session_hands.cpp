@@ -150,11 +150,11 @@ void Session::surprise() {
 }
 
 Scene Session::shown() const {
-  if (!comparing_) return document_.scene;
+  if (!comparing_) return quality_.drawn(document_.scene);
   Scene scene = opened_.scene;
   scene.camera = document_.scene.camera;
   scene.camera.altitude *= scene.planet.radius / document_.scene.planet.radius;
-  return scene;
+  return quality_.drawn(scene);
 }
 
 // In the middle of a press, notches and taps belong to it.

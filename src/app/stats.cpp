@@ -44,6 +44,13 @@ std::string to_json(const StatsReport& report) {
   for (const Decision& d : needs.decisions)
     decisions.push_back({{"what", d.what}, {"chosen", d.chosen}, {"why", d.why}});
   json["needs"] = decisions;
+  if (report.quality != nullptr) {
+    const std::ptrdiff_t step = report.quality - quality_path().data();
+    json["quality"] = {{"step", step},
+                       {"steps", quality_path().size()},
+                       {"psnr", report.quality->psnr},
+                       {"visible", report.quality->visible}};
+  }
   json["nonfinite_pixels"] = report.nonfinite_pixels;
   json["issues"] = report.issues;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -6,6 +6,7 @@
 
 #include "base/issues.hpp"
 #include "render/renderer.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 
@@ -19,6 +20,7 @@ struct StatsReport {
   Needs needs;
   std::int64_t nonfinite_pixels = 0;
   std::vector<std::string> issues;
+  const QualityStep* quality = nullptr;  // at which the last frame was drawn, where quality.target_ms is held
 };
 
 // JSON on one line; its members are those of the command line manual (docs/command_line.md).

@@ -9,6 +9,7 @@
 #include "measure/thumbnail.hpp"
 #include "measure/tries.hpp"
 #include "measure/turns.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 namespace {
@@ -66,6 +67,15 @@ Spread cost_of(const Setting& without) {
   return spread_of(std::move(differences));
 }
 
+// What of the settings that were tried may be on the front, and both ends of the walk.
+void add_promising(Chosen& chosen, const std::vector<Estimate>& estimates, const std::vector<Scene>& tried) {
+  std::vector<Offer> offers;
+  for (const Estimate& estimate : estimates) offers.push_back(estimate.offer);
+  for (const std::size_t i : nearly_on_front(offers, estimates_may_be_off, slight_error)) chosen.add(tried[i]);
+  chosen.add(tried.front());
+  chosen.add(tried.back());
+}
+
 // All scenes of the report: settings first, then the scene without each of its effects.
 std::vector<Timed> choose_scenes(TradeReport& report, const std::vector<Scene>& tried) {
   Chosen chosen;
@@ -74,11 +84,11 @@ std::vector<Timed> choose_scenes(TradeReport& report, const std::vector<Scene>& 
   for (KnobTrade& trade : report.knobs) {
     for (const Value& value : trade.values) trade.settings.push_back(chosen.add(turned(scene, *trade.knob, value)));
   }
-  std::vector<Offer> offers;
-  for (const Estimate& estimate : report.estimates) offers.push_back(estimate.offer);
-  for (const std::size_t i : nearly_on_front(offers, estimates_may_be_off, slight_error)) chosen.add(tried[i]);
-  chosen.add(tried.front());
-  chosen.add(tried.back());
+  if (report.plan.path_only) {
+    for (const QualityStep& step : quality_path()) report.steps.push_back(chosen.add(with_quality(scene, step)));
+  } else {
+    add_promising(chosen, report.estimates, tried);
+  }
   std::vector<Timed> scenes;
   for (const Scene& one : chosen.scenes()) {
     report.settings.push_back({setting_id(one), one, {}});
@@ -165,16 +175,18 @@ TradeReport measure_trade(const SceneDocument& document, const TradePlan& plan, 
   report.document = document;
   report.plan = plan;
   report.machine = this_machine();
-  report.knobs = knobs_for(document.scene, plan.few);
+  if (!plan.path_only) report.knobs = knobs_for(document.scene, plan.few);
   const std::vector<Camera> cameras = cameras_for(document.scene, plan);
   std::vector<Truth> truths = truths_of(document.scene, cameras, plan, progress);
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     report.cameras.push_back({cameras[c], truths[c].self_psnr(), truths[c].samples(), thumbnail(truths[c].picture())});
   }
   std::vector<Scene> tried;
-  report.estimates = try_settings(
-      document.scene, report.knobs, cameras, truths, plan, [&](double part) { progress("trying settings", part); },
-      tried);
+  if (!plan.path_only) {
+    report.estimates = try_settings(
+        document.scene, report.knobs, cameras, truths, plan, [&](double part) { progress("trying settings", part); },
+        tried);
+  }
   const std::vector<Timed> scenes = choose_scenes(report, tried);
   hand_out(take_turns(scenes, cameras, truths, plan, [&](double part) { progress("timing by turns", part); }), report);
   draw_conclusions(report);

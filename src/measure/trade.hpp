@@ -20,6 +20,7 @@ struct TradePlan {
   int width = 480, height = 270;  // pixels of all pictures, >= 1
   int rounds = 10;                // in each of which every setting is timed; >= 1
   bool few = false;               // only three values of each knob, and two cameras
+  bool path_only = false;         // only the scene's own setting and the steps of quality_path()
   Truth::Goal truth = {45.0, 54};
 };
 
@@ -96,6 +97,7 @@ struct TradeReport {
   std::vector<KnobTrade> knobs;
   std::vector<std::size_t> front, path;  // by number: the front, and what is left of it where each step is noticed
   std::vector<QualityPreset> presets;
+  std::vector<std::size_t> steps;  // by number: those of quality_path(), as far as they were measured
   std::vector<EffectTrade> effects;
 };
 

@@ -31,8 +31,10 @@ void add_work(Json& to, const std::vector<double>& work) {
 Json json_of(const Setting& setting, const TradeReport& report) {
   Json json;
   json["id"] = setting.id;
-  for (const KnobTrade& trade : report.knobs)
-    json["parameters"][std::string(trade.knob->path)] = json_of(parameter_of(*trade.knob).get(setting.scene));
+  for (const Knob& knob : knobs()) {
+    if (knob.matters(report.document.scene))
+      json["parameters"][std::string(knob.path)] = json_of(parameter_of(knob).get(setting.scene));
+  }
   json["ms"] = json_of(setting.ms());
   add(json, setting.error());
   add_work(json, setting.work());
@@ -142,6 +144,7 @@ std::string trade_json(const TradeReport& report) {
   json["front"] = ids_json(report.front, report);
   json["path"] = ids_json(report.path, report);
   json["presets"] = presets_json(report);
+  json["steps"] = ids_json(report.steps, report);
   json["effects"] = effects_json(report);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

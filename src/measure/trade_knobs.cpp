@@ -60,6 +60,7 @@ std::string pictures_of(const KnobTrade& trade, const TradeReport& report) {
 }  // namespace
 
 std::string knobs_html(const TradeReport& report) {
+  if (report.knobs.empty()) return {};
   std::string html = "<h2>One knob at a time</h2>\n<p>All others as the scene has them.</p>\n";
   for (const KnobTrade& trade : report.knobs) {
     html += text_of("<h3>", trade.knob->path, "</h3>\n<p>", escaped(parameter_of(*trade.knob).help), ".</p>\n",

@@ -11,6 +11,7 @@
 #include "measure/trade_pictures.hpp"
 #include "measure/words.hpp"
 #include "scene/json.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 namespace {
@@ -133,6 +134,20 @@ std::string presets_html(const TradeReport& report) {
          "<div class=\"presets\">" + table.html() + "</div>\n";
 }
 
+std::string steps_html(const TradeReport& report) {
+  if (report.steps.empty()) return {};
+  Table table({"step", "ms", "PSNR, dB", "FLIP", "visibly off", "settings, beside the scene's"});
+  for (std::size_t i = 0; i < report.steps.size(); ++i) {
+    const Setting& setting = report.settings[report.steps[i]];
+    const PictureError error = setting.error();
+    table.row({text_of(i + 1, ' ', quality_path()[i].preset), with_spread(setting.ms()), figure(error.psnr()),
+               figure(error.flip), percent(error.visible), setting_in_words(setting, report.document.scene)});
+  }
+  return "<h2>The program's steps</h2>\n" +
+         paragraph("What it walks along to hold quality.target_ms, drawn with this scene.") +
+         "<div class=\"presets\">" + table.html() + "</div>\n";
+}
+
 std::string path_html(const TradeReport& report) {
   std::string html = "<h2>The way from fast to accurate</h2>\n" +
                      paragraph("The line above, step by step, with steps of less than a tenth of the time left out.") +
@@ -189,7 +204,7 @@ std::string machine_html(const TradeReport& report) {
 std::string trade_page(const TradeReport& report, const std::optional<Comparison>& comparison) {
   std::string body = "<h1>What accuracy costs</h1>\n" + summary(report);
   if (comparison) body += comparison_html(*comparison);
-  body += chart_html(report) + presets_html(report);
+  body += chart_html(report) + presets_html(report) + steps_html(report);
   body += "<h2>What was looked at</h2>\n" +
           paragraph("The truth: the reference, with as many samples a pixel as it takes to know it that well.") +
           truths_html(report);

@@ -18,6 +18,7 @@
 #include "panel/notices.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/place.hpp"
+#include "panel/quality_rows.hpp"
 #include "panel/search.hpp"
 #include "panel/search_field.hpp"
 #include "panel/sections.hpp"
@@ -55,6 +56,7 @@ bool group_header(Sheet& sheet, const Group& group) {
 void groups_section(Sheet& sheet) {
   for (const Group& group : groups()) {
     if (!group_header(sheet, group)) continue;
+    if (group.name == "quality") quality_rows(sheet);
     for (const Parameter& parameter : parameters()) {
       if (parameter.group == group.name) parameter_row(sheet, parameter);
     }

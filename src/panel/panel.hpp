@@ -9,6 +9,7 @@
 
 #include "panel/memory.hpp"
 #include "scene/document.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 
@@ -37,6 +38,7 @@ struct PanelFacts {
   int width = 1, height = 1;  // of the window, pixels
   int largest_picture = 1;    // that can be saved, pixels along a side
   std::string renderer;
+  const QualityStep* quality = nullptr;   // at which the planet is drawn, where quality.target_ms is held
   std::vector<unsigned> preset_pictures;  // textures, bottom row first, in the order of presets(): those drawn so far
   std::vector<Decision> decisions;        // what is modelled, how finely and why
   std::vector<std::string> notices;       // sentences about bad input, until dismissed

@@ -24,13 +24,6 @@ constexpr float narrowest_seed = 60.0F;    // points; narrower, its six digits d
 constexpr float picker_width = 220.0F;     // points: for fingers, too, it leaves the planet in sight
 constexpr double widest_slider = 5000;     // of whole numbers; beyond, a pixel would skip too many
 
-// "ridge_sharpness" as "Ridge sharpness"
-std::string label_of(const Parameter& parameter) {
-  std::string label = in_words(parameter.name);
-  if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
-  return label;
-}
-
 double number_of(const Sheet& sheet, const Parameter& parameter) {
   const Value value = parameter.get(sheet.document.scene);
   const auto* whole = std::get_if<int>(&value);
@@ -195,6 +188,20 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
 
 }  // namespace
 
+std::string label_of(const Parameter& parameter) {
+  std::string label = in_words(parameter.name);
+  if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+  return label;
+}
+
+float row_label(const std::string& text) {
+  const float room = ImGui::GetContentRegionAvail().x - points(label_width);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::SameLine(ImGui::GetCursorPosX() + points(label_width), 0.0F);
+  return room;
+}
+
 void parameter_row(Sheet& sheet, const Parameter& parameter) {
   const bool differs = sheet.differs(parameter);
   const float button = reset_button_width();
@@ -206,11 +213,9 @@ void parameter_row(Sheet& sheet, const Parameter& parameter) {
   const float left = width - points(label_width) - 2.0F * button;
   const float room_of_lock = left < points(narrowest_value) ? 0.0F : button;
 
-  ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(differs ? ImGuiCol_CheckMark : ImGuiCol_Text));
-  ImGui::TextUnformatted(label_of(parameter).c_str());
+  row_label(label_of(parameter));
   ImGui::PopStyleColor();
-  ImGui::SameLine(ImGui::GetCursorPosX() + points(label_width), 0.0F);
   value_widget(sheet, parameter, width - points(label_width) - button - room_of_lock);
   const bool focused = keyboard_is_here() && ImGui::IsItemFocused() && !ImGui::IsItemActive();
   if (focused) explain(sheet, parameter, differs);

@@ -35,13 +35,20 @@ const QualityStep* find_quality(std::string_view preset) {
   return nullptr;
 }
 
-Issue no_such_quality(std::string_view preset) {
+std::vector<std::string_view> quality_names() {
   std::vector<std::string_view> names;
   for (const QualityStep& step : quality_path()) {
     if (!step.preset.empty()) names.push_back(step.preset);
   }
-  return {"quality",
-          text_of("there is no preset \"", shortened(preset), '"', did_you_mean(nearest_name(preset, names)))};
+  return names;
+}
+
+Issue no_such_quality(std::string_view preset) {
+  const std::vector<std::string_view> names = quality_names();
+  std::string allowed;
+  for (const std::string_view name : names) allowed += text_of(allowed.empty() ? "" : ", ", name);
+  return {"quality", text_of('"', shortened(preset), "\" is not a preset of quality; allowed are ", allowed,
+                             did_you_mean(nearest_name(preset, names)))};
 }
 
 Scene with_quality(Scene scene, const QualityStep& step) {

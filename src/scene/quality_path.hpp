@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "base/issues.hpp"
 #include "scene/scene.hpp"
@@ -23,7 +24,10 @@ std::span<const QualityStep> quality_path();
 // The step of that name; null if there is none.
 const QualityStep* find_quality(std::string_view preset);
 
-// "quality: there is no preset "fats"; did you mean fast?"
+// The names of all that have one, in the order of the path.
+std::vector<std::string_view> quality_names();
+
+// "quality: "fats" is not a preset of quality; allowed are fast, reference; did you mean fast?"
 Issue no_such_quality(std::string_view preset);
 
 // The scene with the settings of a step, but for quality.target_ms, which is no matter of accuracy.

@@ -135,6 +135,24 @@ TEST(QualityBudget, GivesNothingUpForATimeThatNoStepReaches) {
   EXPECT_GE(beside.step(), 5);
 }
 
+TEST(QualityBudget, NoticesAtOnceThatFramesHaveBecomeSlower) {
+  QualityBudget budget(costs, 5);
+  double now = 0.0;
+  for (int i = 0; i < 80; ++i) budget.note(now += 0.015, 15.0, 16.0);
+  for (int i = 0; i < 3; ++i) budget.note(now += 0.15, 150.0, 16.0);
+  EXPECT_EQ(budget.step(), 0);
+}
+
+TEST(QualityBudget, ALateFrameIsNoSlowMachine) {
+  QualityBudget budget(costs, 5);
+  double now = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const double ms = i % 5 == 0 ? 200.0 : 15.0;
+    budget.note(now += 0.001 * ms, ms, 16.0);
+    ASSERT_GE(budget.step(), 5) << i;
+  }
+}
+
 TEST(QualityBudget, ForgetsFramesBeforeAnInterruption) {
   QualityBudget budget(costs, 5);
   for (int i = 1; i < 4; ++i) budget.note(0.02 * i, 20.0, 16.0);

@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "native/egl_context.hpp"
+#include "scene/parameters.hpp"
 #include "scene/presets.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 namespace {
@@ -46,6 +48,17 @@ class SessionTest : public testing::Test {
     }
     ADD_FAILURE() << "never comes to rest";
   }
+
+  // As a machine draws them whose first step takes so long, s.
+  void frames_by_cost(int count, double first_step) {
+    for (int i = 0; i < count; ++i) {
+      const auto step = nlohmann::json::parse(session.stats()).at("quality").at("step").get<std::size_t>();
+      session.frame(now_ += first_step * quality_path()[step].cost, framebuffer_);
+    }
+  }
+
+  // Until the ground is as fine as is asked, although the clock runs.
+  void settle_refinement() { frames(400); }
 
   void tap(Key key, Modifiers modifiers = {}) {
     session.key(key, true, modifiers);
@@ -401,6 +414,46 @@ TEST_F(SessionTest, TellsWhatLiesBeyondTheRangeOfItsTechniqueUntilItNoLongerDoes
   EXPECT_EQ(session.set("terrain.height", "0.1"), "");
   settle();
   EXPECT_TRUE(issues().empty());
+}
+
+TEST_F(SessionTest, GivesUpQualityForItsTargetAndTakesItBackAtRest) {
+  session.set("camera.altitude", "1.5");
+  session.set("quality.target_ms", "16");
+  session.set_paused(false);
+  settle_refinement();
+  const auto quality = [&] { return nlohmann::json::parse(session.stats()).value("quality", nlohmann::json()); };
+  const double before = quality().at("psnr");
+  frames_by_cost(12, 0.07);
+  EXPECT_EQ(quality().at("step"), 0);
+  EXPECT_LT(quality().at("psnr"), before);
+  session.set_paused(true);
+  settle();
+  EXPECT_EQ(quality().at("step"), static_cast<int>(quality_path().size()) - 1);
+  const auto frames = nlohmann::json::parse(session.stats()).at("frames");
+  settle();
+  EXPECT_EQ(nlohmann::json::parse(session.stats()).at("frames"), frames);  // at rest it draws no more
+  session.set("camera.altitude", "1.6");
+  this->frames(1);
+  EXPECT_EQ(quality().at("step"), 0);
+  session.set("quality.target_ms", "0");
+  settle();
+  EXPECT_TRUE(quality().is_null());
+}
+
+TEST_F(SessionTest, APictureThatIsKeptIsDrawnAtItsFinest) {
+  session.set_paused(true);
+  const Scene finest = with_quality(session.document().scene, quality_path().back());
+  settle();
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.group == "quality") session.set(std::string(parameter.path), to_text(parameter.get(finest)));
+  }
+  const Image as_set = session.picture(64, 36);
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.group == "quality") session.set(std::string(parameter.path), to_text(parameter.default_value));
+  }
+  EXPECT_NE(session.picture(64, 36).pixels, as_set.pixels);
+  session.set("quality.target_ms", "5");
+  EXPECT_EQ(session.picture(64, 36).pixels, as_set.pixels);
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ TEST(MeasureCommand, ExtremesHaveNoneOfTheTrade) {
 TEST(MeasureCommand, DrawsItsOwnScenes) {
   const Outcome outcome = run("measure --extremes --set sun.size=1 --out unused");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(outcome.said, "--extremes: draws scenes of its own; leave out --preset, --scene, --link and --set.\n");
+  EXPECT_EQ(outcome.said,
+            "--extremes: draws scenes of its own; leave out --preset, --scene, --link, --quality and --set.\n");
 }
 
 TEST(MeasureCommand, SaysWhichFolderCannotBeMadeBeforeItMeasures) {

@@ -13,7 +13,9 @@
 #include "measure/studio.hpp"
 #include "measure/trade_json.hpp"
 #include "measure/trade_page.hpp"
+#include "measure/trade_path.hpp"
 #include "sanitized.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 namespace {
@@ -139,6 +141,36 @@ TEST_F(Trade, IsAPageThatAsksNothingOfAnyHost) {
     EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
   for (std::size_t at = page.find("src="); at != std::string::npos; at = page.find("src=", at + 1))
     EXPECT_EQ(page.compare(at, 10, "src=\"data:"), 0);
+}
+
+// As the program reads it: rising, with names that are known, and settings that a link can hold.
+TEST_F(Trade, ItsPathIsOneThatTheProgramCanWalk) {
+  const std::vector<std::size_t> steps = walked_settings(report());
+  ASSERT_GE(steps.size(), 2U);
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    EXPECT_GT(report().settings[steps[i]].ms().median, report().settings[steps[i - 1]].ms().median);
+    EXPECT_GT(report().settings[steps[i]].error().psnr(), report().settings[steps[i - 1]].error().psnr());
+  }
+  for (const QualityPreset& preset : report().presets)
+    EXPECT_TRUE(std::find(steps.begin(), steps.end(), preset.setting) != steps.end()) << preset.name;
+  const std::string text = path_inc(report());
+  EXPECT_NE(text.find("STEP(\"\", 1, "), std::string::npos) << text;
+  EXPECT_NE(text.find("STEP(\"reference\", "), std::string::npos) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3 + 2 * std::ssize(steps)) << text;
+}
+
+TEST(TradeOfThePath, MeasuresTheProgramsStepsAndNothingElse) {
+  const test::Studio studio;
+  TradePlan plan = small_plan();
+  plan.path_only = true;
+  const TradeReport report = measure_trade(plain_document(), plan, [](const char*, double) {});
+  ASSERT_EQ(report.steps.size(), quality_path().size());
+  for (std::size_t i = 0; i < report.steps.size(); ++i)
+    EXPECT_TRUE(has_quality(report.settings[report.steps[i]].scene, quality_path()[i]));
+  EXPECT_LE(report.settings.size(), quality_path().size() + 1);
+  EXPECT_FALSE(trade_page(report, std::nullopt).empty());
+  const std::string table = path_table(report);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3 + std::ssize(report.steps)) << table;
 }
 
 }  // namespace

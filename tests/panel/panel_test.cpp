@@ -4,6 +4,7 @@
 #include "hand.hpp"
 #include "scene/json.hpp"
 #include "scene/presets.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 namespace {
@@ -303,6 +304,35 @@ class NarrowPanelTest : public PanelTest {
 TEST_F(NarrowPanelTest, ThePanelLeavesATenthOfANarrowWindow) {
   click("terrain", 0.3F);
   for (const WidgetPlace& place : places) EXPECT_LE(place.right, 192.0F) << place.name;
+}
+
+TEST_F(PanelTest, QualityIsChosenByNameOrHeldByItself) {
+  click("quality");
+  click("quality/preset");
+  click("quality/preset/fast");
+  EXPECT_TRUE(has_quality(document.scene, *find_quality("fast")));
+  click("quality/preset");
+  click("quality/preset/automatic");
+  EXPECT_GT(document.scene.quality.target_ms, 0.0);
+  click("quality/preset");
+  click("quality/preset/reference");
+  EXPECT_EQ(document.scene.quality.target_ms, 0.0);
+  EXPECT_TRUE(has_quality(document.scene, *find_quality("reference")));
+}
+
+TEST_F(PanelTest, SaysWhatWasGivenUpForATime) {
+  click("quality");
+  frames(3);
+  const float before = place_of("quality.pixel_error").top;
+  document.scene.quality.target_ms = 16.0;
+  facts.quality = &quality_path().front();
+  frames(3);
+  const float given_up = place_of("quality.pixel_error").top;
+  EXPECT_GT(given_up, before + 60.0F);  // four lines or more
+  facts.quality = &quality_path().back();
+  frames(3);
+  EXPECT_GT(place_of("quality.pixel_error").top, before);
+  EXPECT_LT(place_of("quality.pixel_error").top, given_up);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/file.hpp"
 #include "scene/json.hpp"
 #include "scene/presets.hpp"
+#include "scene/quality_path.hpp"
 
 namespace terrella {
 namespace {
@@ -44,6 +45,15 @@ TEST(SceneOptions, ApplyInTheirOrderHoweverTheyAreGiven) {
   expected.scene.waves.speed = 3;
   expected.scene.waves.spread = 0.5;
   EXPECT_EQ(choice.document, expected);
+}
+
+TEST(SceneOptions, TakeAPresetOfQualityBeforeTheSettings) {
+  const Scene scene =
+      parse({"--set", "quality.antialias=true", "--quality", "fast", "--preset", "storm"}).document.scene;
+  Scene expected = with_quality(find_preset("storm")->scene, *find_quality("fast"));
+  expected.quality.antialias = true;
+  EXPECT_EQ(scene, expected);
+  EXPECT_EQ(parse({"--quality", "best"}).issues.count(), 1u);
 }
 
 TEST(SceneOptions, TakeNegativeNumbers) {
