@@ -157,8 +157,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (panel_wanted && panel_.shows_presets()) draw_preset_picture();
   if (!panel_shown_) ImGui::GetIO().ClearEventsQueue();  // which nobody reads
   choose_quality(now);
-  const bool refining = frames_ > 0 && !renderer_->settled() && !hand_on_value_;
-  if (planet_stale_ || refining || frames_ == 0) {
+  if (planet_stale_ || frames_ == 0 || is_finer()) {
     draw_planet(now);
     turn.drawn = true;
   } else {
@@ -173,7 +172,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
   const bool clock_runs = !paused_ && renderer_->needs().moving;
   turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_ ||
-               quality_.will_refine(document_.scene);
+               refines_ || quality_.will_refine(document_.scene);
   at_rest_ = !turn.again;
   if (at_rest_) last_drawn_.reset();  // a pause is not a slow frame
   return turn;
@@ -197,9 +196,21 @@ void Session::advance_clock(double elapsed) {
 void Session::choose_quality(double now) {
   if (planet_stale_ || camera_.moving() || hand_is_busy()) {
     quality_.moved();
-  } else if (frames_ > 0 && renderer_->settled() && quality_.rested(now, document_.scene)) {
+    refines_ = false;
+  } else if (renderer_->settled() && quality_.rested(now, document_.scene)) {
+    refines_ = true;
+  }
+  // What is shown stays until the programs are there.
+  if (refines_ && renderer_->prepare(shown(), view()) == 1.0) {
+    refines_ = false;
     planet_stale_ = true;
   }
+}
+
+// Whether there is more to show than the last frame did, without anything having changed.
+bool Session::is_finer() {
+  if (frames_ == 0 || renderer_->settled() || hand_on_value_) return false;
+  return !renderer_->whole() || renderer_->refine(shown(), view());
 }
 
 void Session::draw_planet(double now) {

@@ -142,6 +142,7 @@ class Session {
   void keep_habits();
   void advance_clock(double seconds);
   void choose_quality(double now);
+  bool is_finer();
   void draw_planet(double now);
   void draw_preset_picture();
   void note_frame_time(double now);
@@ -186,6 +187,7 @@ class Session {
   bool comparing_ = false;
 
   bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
+  bool refines_ = false;      // a finer picture waits for its programs
   int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
   double now_ = 0.0;
   double last_elapsed_ = 0.0;  // s that the last frame came after the one before it; 0 after a rest

@@ -107,8 +107,8 @@ void GroundIcosphere::finish_fine(const Frame& frame) {
   // A larger map than is asked for is not worth its memory.
   former_.reset();
   if (fine_ && fine_->fineness.texels <= wanted_.texels) former_ = std::move(fine_);
-  fine_.emplace(wanted_, make_surface(frame.needs.ground_tolerance, wanted_.level, std::move(making_->positions)),
-                std::move(making_->map));
+  fine_ = Fine{wanted_, make_surface(frame.needs.ground_tolerance, wanted_.level, std::move(making_->positions)),
+               std::move(making_->map)};
   making_.reset();
 }
 

@@ -10,9 +10,9 @@ namespace terrella {
 void NightLights::update(const Frame& frame) {
   noise_evaluations_ = 0;
   const Scene& scene = frame.scene;
-  const Key key = {
-      scene.planet,         scene.terrain,    water_level(scene), scene.water.ice_latitude, frame.needs.ground_level,
-      scene.lights.density, scene.lights.seed};
+  const Key key = {{scene.planet, scene.terrain, water_level(scene), scene.water.ice_latitude, scene.lights.density,
+                    scene.lights.seed},
+                   frame.needs.ground_level};
   settled_ = key_ == key;
   const bool changing = wanted_ != key;
   wanted_ = key;
@@ -27,7 +27,8 @@ void NightLights::update(const Frame& frame) {
 }
 
 void NightLights::draw(const Frame& frame) {
-  if (!settled_) return;
+  // Those of a mesh of another fineness stand in: they are in the same places, a little higher or lower.
+  if (!key_ || key_->places != wanted_->places) return;
   const glm::vec3 eye(frame.pose.eye), sun(direction_of(frame.scene.sun.latitude, frame.scene.sun.longitude));
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < found_.lights.size(); ++i) {

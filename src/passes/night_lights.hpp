@@ -20,13 +20,17 @@ class NightLights {
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
-  struct Key {
+  struct Places {
     decltype(Scene::planet) planet;
     decltype(Scene::terrain) terrain;
     double water_level, ice_latitude;
-    int ground_level;
     double density;
     int seed;
+    bool operator==(const Places&) const = default;
+  };
+  struct Key {
+    Places places;
+    int ground_level;
     bool operator==(const Key&) const = default;
   };
 

@@ -38,6 +38,8 @@ int reads_a_pixel(const Needs& needs, const Scene& scene) {
 // To fit a pixel of light to the screen, and to look whether it and its neighbours are an edge.
 constexpr int reads_to_show = 1, reads_to_smooth = 5;
 
+constexpr int slots_that_settle = 4;
+
 // Without water, heights count from the sphere.
 Scene scene_as_drawn(Scene scene, const Needs& needs) {
   scene.water.level = water_level(scene);
@@ -147,6 +149,14 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
   }
 }
 
+bool Renderer::refine(const Scene& scene, const View& view) {
+  const int before = settled_slots();
+  const Sea sea = make_sea(scene, view.seconds);
+  scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
+  update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live});
+  return settled_slots() != before;
+}
+
 void Renderer::update_slots(const Frame& frame) {
   noise_evaluations_ = 0;
   if (ground_) {
@@ -222,10 +232,13 @@ void Renderer::show(const gl::Screen& screen, bool antialias) {
 
 bool Renderer::whole() const { return (!stars_ || stars_->settled()) && picture_.settled(); }
 
-bool Renderer::settled() const {
-  return whole() && (!night_ || night_->settled()) && (!sun_ || sun_->settled()) && (!ground_ || ground_->settled()) &&
-         (!clouds_ || clouds_->settled());
+int Renderer::settled_slots() const {
+  const bool settled[] = {!night_ || night_->settled(), !sun_ || sun_->settled(), !ground_ || ground_->settled(),
+                          !clouds_ || clouds_->settled()};
+  return static_cast<int>(std::count(std::begin(settled), std::end(settled), true));
 }
+
+bool Renderer::settled() const { return whole() && settled_slots() == slots_that_settle; }
 
 RenderStats Renderer::stats() const {
   RenderStats stats;

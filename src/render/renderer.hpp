@@ -50,6 +50,10 @@ class Renderer {
   // Draws into the renderer's own picture of light. view: in pixels drawn.
   void draw(const Scene& scene, const View& view, const Shot& shot);
 
+  // Goes on with what a picture that is shown still lacks, as draw does with Effort::live, but draws none. Returns
+  // whether one would now show more. Of a whole() picture, for the scene and view it was drawn for.
+  bool refine(const Scene& scene, const View& view);
+
   // Shows the last drawn picture (of colour) on a screen of any size; antialias smooths the planet's edges.
   void show(const gl::Screen& screen, bool antialias);
 
@@ -68,6 +72,8 @@ class Renderer {
  private:
   // Builds what the needs call for.
   void choose_techniques();
+  // How many slots lack nothing.
+  [[nodiscard]] int settled_slots() const;
   // Which part of it is ready.
   double ready();
   void update_slots(const Frame& frame);
