@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "base/check.hpp"
@@ -12,17 +14,15 @@ namespace {
 constexpr double too_long = 1.1;       // times the target: frames are never all alike
 constexpr double fits_well = 0.8;      // times the target: costs are those of another scene on another machine
 constexpr double aim_of_a_fall = 0.9;  // times the target
-constexpr std::size_t frames_to_fall = 4;
-constexpr double time_to_fall = 0.15;                                 // s: where frames are slow, fewer must do
-constexpr double time_to_rise = 0.4;                                  // s
-constexpr double time_to_probe = 1.5;                                 // s
+constexpr std::size_t latest_frames = 8;
+constexpr double time_to_fall = 0.15;  // s: where frames are slow, fewer must do
+constexpr double time_to_rise = 0.4;   // s
+constexpr double time_to_probe = 1.5;  // s
+constexpr double much_less = 0.4;      // times: less than what one missed picture of the display makes of it
 constexpr double shortest_patience = 20.0, longest_patience = 160.0;  // s
 
-// What three of four frames keep to; of two the faster.
-double usual(std::vector<double> times) {
-  const auto place = static_cast<std::ptrdiff_t>(0.7 * static_cast<double>(times.size() - 1));
-  std::nth_element(times.begin(), times.begin() + place, times.end());
-  return times[static_cast<std::size_t>(place)];
+double mean_of(std::span<const double> times) {
+  return std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
 }
 
 }  // namespace
@@ -37,15 +37,16 @@ void QualityBudget::note(double now, double ms, double target) {
   if (times_.empty()) since_ = now - 0.001 * ms;
   times_.push_back(ms);
   const double elapsed = now - since_;
-  if (times_.size() < 2 || (times_.size() < frames_to_fall && elapsed < time_to_fall)) return;
-  // Single frames are late for reasons of their own.
-  const auto latest = std::min(times_.size(), frames_to_fall);
-  const double usual_ms = usual({times_.end() - static_cast<std::ptrdiff_t>(latest), times_.end()});
-  if (usual_ms < 0.8 * floor_) floor_ = 0.0;
-  judge_change(usual_ms);
-  const double most = std::max(target, 1.05 * floor_);
-  if (usual_ms > too_long * most) return fall(now, usual_ms, most);
-  if (elapsed >= time_to_rise) rise(now, usual(times_), most);
+  if (times_.size() < 2 || (times_.size() < latest_frames && elapsed < time_to_fall)) return;
+  const std::span<const double> latest = std::span(times_).last(std::min(times_.size(), latest_frames));
+  const double mean = mean_of(latest);
+  if (mean < 0.8 * floor_) floor_ = 0.0;
+  judge_change(mean);
+  const double most = too_long * std::max(target, 1.05 * floor_);
+  // A browser's frames come in bursts, so that the mean counts; but a single late one has reasons of its own.
+  const auto late = std::count_if(latest.begin(), latest.end(), [&](double ms) { return ms > most; });
+  if (mean > most && late >= 2) return fall(now, mean, most / too_long);
+  if (elapsed >= time_to_rise) rise(now, mean_of(times_), most / too_long);
   if (elapsed >= 2.0 * time_to_probe) times_.clear();  // what was long ago tells little
 }
 
@@ -67,15 +68,17 @@ int QualityBudget::finest_within(double most, double ms) const {
 
 void QualityBudget::fall(double now, double ms, double target) {
   if (step_ == 0) return times_.clear();
-  if (now > too_dear_until_ + patience_) patience_ = shortest_patience;  // the last time was another story
   too_dear_ = step_;
+  pace_too_dear_ = ms / cost(step_);
   too_dear_until_ = now + patience_;
   patience_ = std::min(2.0 * patience_, longest_patience);
   go_to(std::min(finest_within(aim_of_a_fall * target, ms), step_ - 1), ms);
 }
 
 void QualityBudget::rise(double now, double ms, double target) {
-  if (now >= too_dear_until_) too_dear_ = last() + 1;
+  const bool much_faster = ms / cost(step_) < much_less * pace_too_dear_;
+  if (much_faster) patience_ = shortest_patience;
+  if (much_faster || now >= too_dear_until_) too_dear_ = last() + 1;
   const int open = std::min(too_dear_ - 1, last());
   const int fitting = std::min(finest_within(fits_well * target, ms), open);
   if (fitting > step_) return go_to(fitting, ms);

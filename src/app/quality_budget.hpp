@@ -49,6 +49,7 @@ class QualityBudget {
   std::optional<bool> waits_;
   double floor_ = 0.0;           // ms of a frame that waits
   int too_dear_;                 // the first step that did not fit; beyond the last if none
+  double pace_too_dear_ = 0.0;   // ms of a frame for its cost, when that was found
   double too_dear_until_ = 0.0;  // s
   double patience_;              // s for which the next one that does not fit is left alone
 };
