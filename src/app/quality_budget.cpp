@@ -44,7 +44,7 @@ void QualityBudget::note(double now, double ms, double target) {
   judge_change(mean);
   const double most = too_long * std::max(target, 1.05 * floor_);
   // A browser's frames come in bursts, so that the mean counts; but a single late one has reasons of its own.
-  const auto late = std::count_if(latest.begin(), latest.end(), [&](double ms) { return ms > most; });
+  const auto late = std::count_if(latest.begin(), latest.end(), [&](double time) { return time > most; });
   if (mean > most && late >= 2) return fall(now, mean, most / too_long);
   if (elapsed >= time_to_rise) rise(now, mean_of(times_), most / too_long);
   if (elapsed >= 2.0 * time_to_probe) times_.clear();  // what was long ago tells little

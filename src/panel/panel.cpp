@@ -74,6 +74,7 @@ void found_section(Sheet& sheet, std::string_view text) {
       group = parameter->group;
       ImGui::SeparatorText(std::string(find_group(group)->title).c_str());
       sheet.place(group);
+      if (group == "quality") quality_rows(sheet);
     }
     parameter_row(sheet, *parameter);
   }
