@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "gl/caps.hpp"
 
@@ -43,11 +44,15 @@ PanelPainter::PanelPainter() { ImGui_ImplOpenGL3_Init(gl::caps().es ? "#version 
 
 PanelPainter::~PanelPainter() { ImGui_ImplOpenGL3_Shutdown(); }
 
-void PanelPainter::begin_frame() { ImGui_ImplOpenGL3_NewFrame(); }
+void PanelPainter::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  fresh_ = true;
+}
 
 void PanelPainter::forget_font() {
   ImGui_ImplOpenGL3_DestroyDeviceObjects();
   last_.clear();
+  fresh_ = true;
 }
 
 void PanelPainter::draw(ImDrawData& shown, const gl::Screen& screen) {
@@ -56,10 +61,12 @@ void PanelPainter::draw(ImDrawData& shown, const gl::Screen& screen) {
     ImGui_ImplOpenGL3_RenderDrawData(&shown);
     return;
   }
-  std::vector<unsigned char> bytes = bytes_of(shown);
-  if (bytes != last_) {
-    last_ = std::move(bytes);
-    take_picture(shown);
+  if (std::exchange(fresh_, false)) {
+    std::vector<unsigned char> bytes = bytes_of(shown);
+    if (bytes != last_) {
+      last_ = std::move(bytes);
+      take_picture(shown);
+    }
   }
   if (picture_) lay_over(screen);
 }

@@ -36,6 +36,7 @@ class PanelPainter {
   void take_picture(ImDrawData& shown);
   void lay_over(const gl::Screen& screen);
 
+  bool fresh_ = true;                // what is shown may have changed
   std::vector<unsigned char> last_;  // bytes_of what was drawn last
   gl::Pixels box_;                   // that the picture shows, from the bottom left of the screen
   std::unique_ptr<gl::Target> picture_;
