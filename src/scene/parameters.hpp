@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,12 +37,13 @@ struct Parameter {
   Scale scale;
   std::vector<std::string_view> choices;
   std::string_view help;  // one sentence, without its full stop
-  Field (*field)(Scene&);
+  std::size_t offset;     // of its field in a Scene
 
   bool is_length() const { return slider_max > 0; }
   // Lengths and speeds, but for the radius itself: on a planet ten times as large ten times the value looks the same.
   bool grows_with_planet() const { return (is_length() || unit == "m/s") && path != "planet.radius"; }
   bool is_seed() const { return name == "seed"; }
+  Field field(Scene& scene) const;
   Value get(const Scene& scene) const;
 };
 
