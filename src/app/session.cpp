@@ -72,6 +72,7 @@ void Session::context_made() {
 }
 
 void Session::context_lost() {
+  bands_.context_lost();
   painter_.reset();
   preset_pictures_.reset();
   renderer_.reset();
@@ -143,7 +144,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   advance_clock(elapsed);
   // The planet is shown first: a panel's font and programs would keep it waiting.
-  const bool clock_due = planet_stale_ && seconds_by_the_clock() - panel_ran_ >= clock_pace;
+  const bool picture_comes = planet_stale_ || (clock_moved_ && (bands_.bands() == 1 || bands_.complete()));
+  const bool clock_due = picture_comes && seconds_by_the_clock() - panel_ran_ >= clock_pace;
   const bool panel_wanted = panel_shown_ && frames_ > 0 && (panel_frames_ > 0 || clock_due);
   if (panel_wanted) run_panel();
   hand_on_typed_ahead();
@@ -153,6 +155,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (planet_stale_ || refining || frames_ == 0) {
     draw_planet(now);
     turn.drawn = true;
+  } else if (clock_moved_ || bands_.under_way()) {
+    turn.drawn = draw_for_the_clock(now);
   } else {
     turn.drawn = panel_wanted || panel_frames_ > 0;
   }
@@ -163,7 +167,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
   const bool clock_runs = !paused_ && renderer_->needs().moving;
-  turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_;
+  turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_ ||
+               clock_moved_ || bands_.under_way();
   at_rest_ = !turn.again;
   if (at_rest_) last_drawn_.reset();  // a pause is not a slow frame
   return turn;
@@ -180,14 +185,44 @@ void Session::draw_preset_picture() {
 void Session::advance_clock(double elapsed) {
   if (paused_ || document_.scene.time.speed == 0.0) return;
   seconds_ += elapsed * document_.scene.time.speed;
-  if (renderer_->needs().moving) planet_stale_ = true;
+  if (renderer_->needs().moving) clock_moved_ = true;
 }
 
 void Session::draw_planet(double now) {
-  renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
-  planet_stale_ = false;
+  bands_.drop();
+  const double after = last_drawn_ ? 1000.0 * (now - *last_drawn_) : 0.0;
+  bands_.draw_whole(*renderer_, shown(), view(),
+                    {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false}, after);
+  planet_stale_ = clock_moved_ = false;
   ++frames_;
   note_frame_time(now);
+}
+
+bool Session::is_watched() const {
+  return panel_frames_ > 0 || hand_is_busy() || camera_.moving() || !renderer_->settled();
+}
+
+bool Session::draw_for_the_clock(double now) {
+  const bool at_once = is_watched();
+  if (!bands_.under_way() && (at_once || bands_.bands() == 1)) {
+    draw_planet(now);
+    return true;
+  }
+  if (!at_once && bands_.gpu_is_busy()) return false;
+  note_frame_time(now);
+  if (!bands_.under_way()) {
+    bands_.begin(*renderer_, shown(), view(), {Channel::color, Effort::live, false});
+    clock_moved_ = false;
+    return false;
+  }
+  if (!at_once && !bands_.complete()) {
+    bands_.draw_next(*renderer_);
+    return false;
+  }
+  while (!bands_.complete()) bands_.draw_next(*renderer_);
+  bands_.drop();
+  ++frames_;
+  return true;
 }
 
 void Session::note_frame_time(double now) {
@@ -395,10 +430,11 @@ void Session::copy_failed() {
 void Session::render_at(double seconds, GLuint framebuffer) {
   if (!renderer_) return;
   seconds_ = seconds;
+  bands_.drop();
   renderer_->draw(document_.scene, view(), {});
   ++frames_;
   renderer_->show(screen(framebuffer), document_.scene.quality.antialias);
-  planet_stale_ = false;
+  planet_stale_ = clock_moved_ = false;
   panel_frames_ = 2;
   unsigned char pixel[4];
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);

@@ -14,6 +14,7 @@
 #include "app/history.hpp"
 #include "app/input.hpp"
 #include "app/panel_painter.hpp"
+#include "app/picture_in_bands.hpp"
 #include "app/preset_pictures.hpp"
 #include "base/image.hpp"
 #include "panel/panel.hpp"
@@ -139,6 +140,10 @@ class Session {
   void keep_habits();
   void advance_clock(double seconds);
   void draw_planet(double now);
+  // What only the clock has made stale; returns whether there is a picture to be shown.
+  bool draw_for_the_clock(double now);
+  // Whether somebody may see that a picture is late.
+  bool is_watched() const;
   void draw_preset_picture();
   void note_frame_time(double now);
   PanelFacts facts() const;
@@ -180,7 +185,9 @@ class Session {
   std::optional<std::u32string> typed_ahead_;  // for the search, whose field is on its way
   bool comparing_ = false;
 
-  bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
+  bool planet_stale_ = true;  // the scene, the size or the place in time has changed since it was drawn
+  bool clock_moved_ = false;  // or the clock has run on
+  PictureInBands bands_;
   int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
   double now_ = 0.0;
   double last_elapsed_ = 0.0;  // s that the last frame came after the one before it; 0 after a rest

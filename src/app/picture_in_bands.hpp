@@ -1,0 +1,45 @@
+// A picture that is drawn band by band, a few at a time, so that whoever asks for frames can do other things in between.
+#pragma once
+
+#include <deque>
+
+#include "app/slices.hpp"
+#include "gl/fence.hpp"
+#include "render/renderer.hpp"
+
+namespace terrella {
+
+class PictureInBands {
+ public:
+  // Begun, and neither finished nor dropped.
+  [[nodiscard]] bool under_way() const { return next_ >= 0; }
+  // All of it is drawn.
+  [[nodiscard]] bool complete() const { return next_ == slices_.count(); }
+  // Of each picture, 1 where pictures are drawn whole.
+  [[nodiscard]] int bands() const { return slices_.count(); }
+
+  // Draws a picture at once. after: how long (ms) after the one before it, 0 where that does not count.
+  void draw_whole(Renderer& renderer, const Scene& scene, const View& view, const Shot& shot, double after);
+
+  void begin(Renderer& renderer, const Scene& scene, const View& view, const Shot& shot);
+  // Whether the GPU has enough to do for now; to give it more would only make it answer later.
+  [[nodiscard]] bool gpu_is_busy();
+  // Needs under_way and not complete.
+  void draw_next(Renderer& renderer);
+  // It was shown, or is not wanted any more.
+  void drop();
+
+  // Also what the GPU was given: its context is gone.
+  void context_lost();
+
+ private:
+  template <class Draw>
+  void draw_timed(Renderer& renderer, int band, const Draw& draw);
+
+  Slices slices_;
+  int next_ = -1;                 // band of the picture under way
+  int height_ = 0;                // of it, pixels
+  std::deque<gl::Fence> fences_;  // behind what the GPU was given and has not yet done
+};
+
+}  // namespace terrella
