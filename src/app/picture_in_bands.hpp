@@ -18,10 +18,8 @@ class PictureInBands {
   // Of each picture, 1 where pictures are drawn whole.
   [[nodiscard]] int bands() const { return slices_.count(); }
 
-  // Draws a picture at once. after: how long (ms) after the one before it, 0 where that does not count.
-  void draw_whole(Renderer& renderer, const Scene& scene, const View& view, const Shot& shot, double after);
-
-  void begin(Renderer& renderer, const Scene& scene, const View& view, const Shot& shot);
+  // Draws the first band. after: how long (ms) after the picture before this one, 0 if there was a rest.
+  void begin(Renderer& renderer, const Scene& scene, const View& view, const Shot& shot, double after);
   // Whether the GPU has enough to do for now; to give it more would only make it answer later.
   [[nodiscard]] bool gpu_is_busy();
   // Needs under_way and not complete.
@@ -34,7 +32,8 @@ class PictureInBands {
 
  private:
   template <class Draw>
-  void draw_timed(Renderer& renderer, int band, const Draw& draw);
+  void draw_timed(Renderer& renderer, const Draw& draw);
+  void draw_band(Renderer& renderer);
 
   Slices slices_;
   int next_ = -1;                 // band of the picture under way

@@ -190,9 +190,7 @@ void Session::advance_clock(double elapsed) {
 
 void Session::draw_planet(double now) {
   bands_.drop();
-  const double after = last_drawn_ ? 1000.0 * (now - *last_drawn_) : 0.0;
-  bands_.draw_whole(*renderer_, shown(), view(),
-                    {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false}, after);
+  renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
   planet_stale_ = clock_moved_ = false;
   ++frames_;
   note_frame_time(now);
@@ -204,25 +202,27 @@ bool Session::is_watched() const {
 
 bool Session::draw_for_the_clock(double now) {
   const bool at_once = is_watched();
-  if (!bands_.under_way() && (at_once || bands_.bands() == 1)) {
+  if (at_once && !bands_.under_way()) {
     draw_planet(now);
     return true;
   }
   if (!at_once && bands_.gpu_is_busy()) return false;
-  note_frame_time(now);
+  // To show a picture is as much work as a band, and has a frame of its own.
+  const bool show = at_once || bands_.bands() == 1 || bands_.complete();
   if (!bands_.under_way()) {
-    bands_.begin(*renderer_, shown(), view(), {Channel::color, Effort::live, false});
+    const double after = last_drawn_ ? 1000.0 * (now - *last_drawn_) : 0.0;
+    bands_.begin(*renderer_, shown(), view(), {Channel::color, Effort::live, false}, after);
     clock_moved_ = false;
-    return false;
+  } else if (!bands_.complete()) {
+    do bands_.draw_next(*renderer_);
+    while (at_once && !bands_.complete());
   }
-  if (!at_once && !bands_.complete()) {
-    bands_.draw_next(*renderer_);
-    return false;
+  if (show) {
+    bands_.drop();
+    ++frames_;
   }
-  while (!bands_.complete()) bands_.draw_next(*renderer_);
-  bands_.drop();
-  ++frames_;
-  return true;
+  note_frame_time(now);
+  return show;
 }
 
 void Session::note_frame_time(double now) {
@@ -460,6 +460,7 @@ std::string Session::stats() const {
   report.frame_ms = {frame_ms_.begin(), frame_ms_.end()};
   report.first_frame_ms = first_frame_ms_;
   report.frames = frames_;
+  report.bands = bands_.bands();
   if (renderer_) {
     report.work = renderer_->stats();
     report.needs = renderer_->needs();

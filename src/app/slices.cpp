@@ -7,11 +7,12 @@
 namespace terrella {
 namespace {
 
-constexpr double band_ms = 20.0;       // what a band is meant to take
+// What a band is meant to take: more than a screen of 60 pictures a second waits for the next, or it would wait for it.
+constexpr double band_ms = 22.0;
 constexpr double slow_ms = 25.0;       // a picture that takes longer is drawn in bands,
 constexpr double quick_ms = 18.0;      // one that takes less no more
 constexpr double shortest_ms = 13.0;   // a band may take so little
-constexpr double longest_ms = 27.0;    // or so much before their number changes
+constexpr double longest_ms = 30.0;    // or so much before their number changes
 constexpr double uneven = 1.3;         // the dearest band may cost so many times the mean before borders move,
 constexpr double worth_moving = 0.85;  // if that lowers its cost to this part
 // Screens that show few pictures a second make each come late; to ask what it takes costs a little.
@@ -56,7 +57,7 @@ void Slices::decide() {
   if (known_.none()) return;
   next_to_time_ = (next_to_time_ + 1) % count_;
   const double all = cost({0, strips}), each = all / count_;
-  const int wanted = std::clamp(static_cast<int>(std::ceil(all / band_ms)), 2, most);
+  const int wanted = std::clamp(static_cast<int>(std::lround(all / band_ms)), 2, most);
   if (count_ == 1) {
     time_to_trust_ = pictures_of_trust;
     known_.reset();

@@ -28,6 +28,7 @@ std::string to_json(const StatsReport& report) {
   json["frame_ms"] = {{"median", spread.median}, {"p10", spread.p10}, {"p90", spread.p90}};
   json["first_frame_ms"] = report.first_frame_ms;
   json["frames"] = report.frames;
+  json["bands"] = report.bands;
   json["triangles"] = report.work.triangles;
   json["draw_calls"] = report.work.draw_calls;
   json["noise_evaluations"] = report.work.noise_evaluations;

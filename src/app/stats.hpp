@@ -15,6 +15,7 @@ struct StatsReport {
   std::vector<double> frame_ms;  // of each timed frame; may be empty
   double first_frame_ms = 0.0;
   std::int64_t frames = 0;
+  int bands = 1;
   RenderStats work;
   Needs needs;
   std::int64_t nonfinite_pixels = 0;

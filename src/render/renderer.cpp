@@ -84,6 +84,7 @@ Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::For
 }
 
 void Renderer::wait() const {
+  if (!light_) return;
   light_->begin();
   float pixel[4];
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, pixel);
