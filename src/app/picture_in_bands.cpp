@@ -1,15 +1,9 @@
 #include "app/picture_in_bands.hpp"
 
 #include <chrono>
+#include <utility>
 
 namespace terrella {
-namespace {
-
-// So that the GPU has the next band at hand when it is done with one.
-constexpr std::size_t bands_ahead = 2;
-
-}  // namespace
-
 template <class Draw>
 void PictureInBands::draw_timed(Renderer& renderer, const Draw& draw) {
   if (slices_.wants_time_of(next_)) {
@@ -22,7 +16,10 @@ void PictureInBands::draw_timed(Renderer& renderer, const Draw& draw) {
   } else {
     draw();
   }
-  if (slices_.count() > 1) fences_.emplace_back();
+  if (slices_.count() > 1) {
+    behind_one_before_ = std::exchange(behind_last_, std::nullopt);
+    behind_last_.emplace();
+  }
   ++next_;
 }
 
@@ -46,10 +43,8 @@ void PictureInBands::draw_band(Renderer& renderer) {
   renderer.draw_rows({height_ * first / Slices::strips, height_ * end / Slices::strips});
 }
 
-bool PictureInBands::gpu_is_busy() {
-  while (!fences_.empty() && fences_.front().passed()) fences_.pop_front();
-  return fences_.size() >= bands_ahead;
-}
+// Not before it is at the last of what it was given, so that it has the next at hand when it is done with that.
+bool PictureInBands::gpu_is_busy() const { return behind_one_before_ && !behind_one_before_->passed(); }
 
 void PictureInBands::drop() {
   if (under_way() && complete()) slices_.decide();
@@ -57,7 +52,8 @@ void PictureInBands::drop() {
 }
 
 void PictureInBands::context_lost() {
-  fences_.clear();
+  behind_last_.reset();
+  behind_one_before_.reset();
   next_ = -1;
 }
 

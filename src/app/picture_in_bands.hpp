@@ -1,7 +1,8 @@
-// A picture that is drawn band by band, a few at a time, so that whoever asks for frames can do other things in between.
+// A picture that is drawn band by band, a few at a time, so that whoever asks for frames can do other things in
+// between.
 #pragma once
 
-#include <deque>
+#include <optional>
 
 #include "app/slices.hpp"
 #include "gl/fence.hpp"
@@ -21,7 +22,7 @@ class PictureInBands {
   // Draws the first band. after: how long (ms) after the picture before this one, 0 if there was a rest.
   void begin(Renderer& renderer, const Scene& scene, const View& view, const Shot& shot, double after);
   // Whether the GPU has enough to do for now; to give it more would only make it answer later.
-  [[nodiscard]] bool gpu_is_busy();
+  [[nodiscard]] bool gpu_is_busy() const;
   // Needs under_way and not complete.
   void draw_next(Renderer& renderer);
   // It was shown, or is not wanted any more.
@@ -36,9 +37,9 @@ class PictureInBands {
   void draw_band(Renderer& renderer);
 
   Slices slices_;
-  int next_ = -1;                 // band of the picture under way
-  int height_ = 0;                // of it, pixels
-  std::deque<gl::Fence> fences_;  // behind what the GPU was given and has not yet done
+  int next_ = -1;                                             // band of the picture under way
+  int height_ = 0;                                            // of it, pixels
+  std::optional<gl::Fence> behind_last_, behind_one_before_;  // bands that the GPU was given
 };
 
 }  // namespace terrella

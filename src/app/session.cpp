@@ -33,6 +33,13 @@ double field_of(double width, double height, glm::dvec2 covered = glm::dvec2(0.0
   return std::max(1.0, height / std::max(1.0, std::min(width - covered.x, height - covered.y)));
 }
 
+// Notes the time since the last one, ms, if there was one.
+void note_interval(std::optional<double>& last, double now, std::deque<double>& intervals) {
+  if (last) intervals.push_back(1000.0 * (now - *last));
+  last = now;
+  if (intervals.size() > frames_timed) intervals.pop_front();
+}
+
 }  // namespace
 
 double Session::seconds_by_the_clock() {
@@ -170,7 +177,10 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_ ||
                clock_moved_ || bands_.under_way();
   at_rest_ = !turn.again;
-  if (at_rest_) last_drawn_.reset();  // a pause is not a slow frame
+  if (at_rest_) {  // a pause is not a slow frame
+    last_drawn_.reset();
+    last_shown_.reset();
+  }
   return turn;
 }
 
@@ -192,8 +202,8 @@ void Session::draw_planet(double now) {
   bands_.drop();
   renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
   planet_stale_ = clock_moved_ = false;
-  ++frames_;
   note_frame_time(now);
+  note_picture_time(now);
 }
 
 bool Session::is_watched() const {
@@ -217,25 +227,25 @@ bool Session::draw_for_the_clock(double now) {
     do bands_.draw_next(*renderer_);
     while (at_once && !bands_.complete());
   }
+  note_frame_time(now);
   if (show) {
     bands_.drop();
-    ++frames_;
+    note_picture_time(now);
   }
-  note_frame_time(now);
   return show;
 }
 
-void Session::note_frame_time(double now) {
-  if (frames_ == 1) first_frame_ms_ = 1000.0 * (now - made_at_);
-  if (last_drawn_) frame_ms_.push_back(1000.0 * (now - *last_drawn_));
-  last_drawn_ = now;
-  if (frame_ms_.size() > frames_timed) frame_ms_.pop_front();
-  // The resolution follows the time that frames take; slowly, so that it does not swing.
+void Session::note_frame_time(double now) { note_interval(last_drawn_, now, frame_ms_); }
+
+void Session::note_picture_time(double now) {
+  if (++frames_ == 1) first_frame_ms_ = 1000.0 * (now - made_at_);
+  note_interval(last_shown_, now, picture_ms_);
+  // The resolution follows the time that pictures take; slowly, so that it does not swing.
   const double target = document_.scene.quality.target_ms;
   if (target == 0.0) {
     auto_scale_ = 1.0;
-  } else if (frame_ms_.size() >= 8 && frames_ % 8 == 0) {
-    const double median = spread_of({frame_ms_.end() - 8, frame_ms_.end()}).median;
+  } else if (picture_ms_.size() >= 8 && frames_ % 8 == 0) {
+    const double median = spread_of({picture_ms_.end() - 8, picture_ms_.end()}).median;
     if (median > 1.15 * target) auto_scale_ = std::max(0.25, auto_scale_ * 0.88);
     if (median < 0.75 * target) auto_scale_ = std::min(1.0, auto_scale_ * 1.06);
   }
@@ -306,7 +316,7 @@ PanelFacts Session::facts() const {
   facts.can_fill_screen = host_.fill_screen != nullptr;
   facts.can_undo = history_.can_undo();
   facts.can_redo = history_.can_redo();
-  facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;
+  facts.frame_ms = spread_of({picture_ms_.begin(), picture_ms_.end()}).median;
   facts.triangles = work.triangles;
   facts.gpu_bytes = work.gpu_bytes;
   facts.noise_evaluations = work.noise_evaluations;
@@ -458,6 +468,7 @@ std::string Session::stats() const {
   report.width = v.width;
   report.height = v.height;
   report.frame_ms = {frame_ms_.begin(), frame_ms_.end()};
+  report.picture_ms = {picture_ms_.begin(), picture_ms_.end()};
   report.first_frame_ms = first_frame_ms_;
   report.frames = frames_;
   report.bands = bands_.bands();

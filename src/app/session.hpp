@@ -146,6 +146,7 @@ class Session {
   bool is_watched() const;
   void draw_preset_picture();
   void note_frame_time(double now);
+  void note_picture_time(double now);
   PanelFacts facts() const;
   // Sentences about what of the scene lies beyond the range in which its technique holds.
   std::vector<std::string> beyond() const;
@@ -188,17 +189,17 @@ class Session {
   bool planet_stale_ = true;  // the scene, the size or the place in time has changed since it was drawn
   bool clock_moved_ = false;  // or the clock has run on
   PictureInBands bands_;
-  int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
+  int panel_frames_ = 3;  // frames that the panel still needs to settle after an event
   double now_ = 0.0;
   double last_elapsed_ = 0.0;  // s that the last frame came after the one before it; 0 after a rest
   double panel_ran_ = 0.0;     // s, by a clock of its own: between frames there may be long rests
   bool at_rest_ = true;        // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
-  std::optional<double> last_drawn_;
-  std::deque<double> frame_ms_;
+  std::optional<double> last_drawn_, last_shown_;  // s: a frame that drew anything, a picture on screen
+  std::deque<double> frame_ms_, picture_ms_;
   double first_frame_ms_ = 0.0;
   double auto_scale_ = 1.0;  // of the resolution, to hold quality.target_ms
-  std::int64_t frames_ = 0;
+  std::int64_t frames_ = 0;  // pictures shown
 };
 
 }  // namespace terrella

@@ -1,5 +1,5 @@
-// In how many bands a picture is drawn that nobody waits for, and where they part: so that no frame takes long, even where
-// pictures do. Decided by what rows were measured to cost; it knows neither clock nor renderer.
+// In how many bands a picture is drawn that nobody waits for, and where they part: so that no frame takes long, even
+// where pictures do. Decided by what rows were measured to cost; it knows neither clock nor renderer.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ class Slices {
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] Band band(int i) const;
 
-  // Whether that band is to be waited for, so that it can be told what it took: this disturbs the work that processor and
-  // GPU do side by side, and is asked for where nothing is known and of one band a picture.
+  // Whether that band is to be waited for, so that it can be told what it took: this disturbs the work that processor
+  // and GPU do side by side, and is asked for where nothing is known and of one band a picture.
   [[nodiscard]] bool wants_time_of(int i) const;
   // From before its first command until its last pixel, ms.
   void took(int i, double ms);
@@ -41,9 +41,9 @@ class Slices {
   int count_ = 1;
   std::array<int, most + 1> borders_{0, strips};  // in front of each band, and behind the last
   std::bitset<most> known_;                       // bands that were timed since they parted so
-  int next_to_time_ = 0;  // in turn, once all are known
-  int slow_ = 0;           // pictures in a row that came late
-  int time_to_trust_ = 0;  // pictures for which a time of a whole one holds
+  int next_to_time_ = 0;                          // in turn, once all are known
+  int slow_ = 0;                                  // pictures in a row that came late
+  int time_to_trust_ = 0;                         // pictures for which a time of a whole one holds
 };
 
 }  // namespace terrella

@@ -23,9 +23,7 @@ class Fence {
   Fence& operator=(const Fence&) = delete;
 
   // Whether it was passed; does not wait.
-  [[nodiscard]] bool passed() const {
-    return sync_ == nullptr || glClientWaitSync(sync_, 0, 0) != GL_TIMEOUT_EXPIRED;
-  }
+  [[nodiscard]] bool passed() const { return sync_ == nullptr || glClientWaitSync(sync_, 0, 0) != GL_TIMEOUT_EXPIRED; }
 
  private:
   GLsync sync_;

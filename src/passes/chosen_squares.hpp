@@ -15,16 +15,14 @@ class ChosenSquares {
   explicit ChosenSquares(int vec4s_each) : squares_(vec4s_each) {}
 
   // From now on all that is chosen counts as new.
-  void forget() {
-    parts_.forget();
-  }
+  void forget() { parts_.forget(); }
 
   // chosen: places of the squares to draw among all; append(place, data): adds the floats of one. frame: for whose rows
   // they are.
   template <class Append>
-  void draw(const Frame& frame, std::vector<std::size_t> chosen, const Append& append) {
-    const auto append_all = [&](const std::vector<std::size_t>& places, std::vector<float>& data) {
-      for (const std::size_t place : places) append(place, data);
+  void draw(const Frame& frame, Chosen chosen, const Append& append) {
+    const auto append_all = [&](const Chosen& places, std::vector<float>& data) {
+      for (const std::uint32_t place : places) append(place, data);
     };
     const auto send = [&](const std::vector<float>& data) { squares_.set(data); };
     const auto [first, count] = parts_.range_of(std::move(chosen), draws_all(frame), append_all, send);
@@ -33,7 +31,7 @@ class ChosenSquares {
 
  private:
   gl::Squares squares_;
-  KeptParts<std::vector<std::size_t>, float> parts_;
+  KeptBuffer<float> parts_;
 };
 
 }  // namespace terrella

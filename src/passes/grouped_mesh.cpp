@@ -18,11 +18,13 @@ void GroupedMesh::set(GroupedTriangles triangles) {
   parts_.forget();
 }
 
-void GroupedMesh::draw(const Frame& frame, std::vector<std::uint32_t> groups, double lowest) {
-  const auto append = [&](const Choice& choice, std::vector<std::uint32_t>& chosen) {
-    const auto radius = static_cast<float>(choice.lowest);
+void GroupedMesh::draw(const Frame& frame, Chosen groups, double lowest) {
+  if (lowest != lowest_) parts_.forget();
+  lowest_ = lowest;
+  const auto append = [&](const Chosen& drawn, std::vector<std::uint32_t>& chosen) {
+    const auto radius = static_cast<float>(lowest);
     const std::vector<std::uint32_t>& all = triangles_.indices;
-    for (const std::uint32_t g : choice.groups) {
+    for (const std::uint32_t g : drawn) {
       for (std::size_t i = 3 * std::size_t{triangles_.starts[g]}; i < 3 * std::size_t{triangles_.starts[g + 1]};
            i += 3) {
         if (std::max({radii_[all[i]], radii_[all[i + 1]], radii_[all[i + 2]]}) >= radius) {
@@ -32,7 +34,7 @@ void GroupedMesh::draw(const Frame& frame, std::vector<std::uint32_t> groups, do
     }
   };
   const auto send = [&](const std::vector<std::uint32_t>& indices) { mesh_.set_indices(indices); };
-  const auto [first, count] = parts_.range_of({std::move(groups), lowest}, draws_all(frame), append, send);
+  const auto [first, count] = parts_.range_of(std::move(groups), draws_all(frame), append, send);
   mesh_.draw(first, count);
 }
 

@@ -20,19 +20,14 @@ class GroupedMesh {
 
   // Draws groups, in one call, without the triangles that lie whole below a radius. Uploads their indices where they
   // are new. frame: for whose rows they are.
-  void draw(const Frame& frame, std::vector<std::uint32_t> groups, double lowest = 0.0);
+  void draw(const Frame& frame, Chosen groups, double lowest = 0.0);
 
  private:
-  struct Choice {
-    std::vector<std::uint32_t> groups;
-    double lowest;
-    bool operator==(const Choice&) const = default;
-  };
-
   gl::Mesh mesh_;
   GroupedTriangles triangles_;
-  std::vector<float> radii_;  // of the vertices
-  KeptParts<Choice, std::uint32_t> parts_;
+  std::vector<float> radii_;         // of the vertices
+  KeptBuffer<std::uint32_t> parts_;  // of groups
+  double lowest_ = 0.0;              // what was left out of them
 };
 
 }  // namespace terrella

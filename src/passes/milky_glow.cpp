@@ -17,10 +17,10 @@ void MilkyGlow::set(const Scene& scene) {
   if (!glow_.vertices.empty()) mesh_.emplace(glow_.vertices);
 }
 
-std::vector<std::size_t> MilkyGlow::choose(const Frame& frame) const {
+Chosen MilkyGlow::choose(const Frame& frame) const {
   const SkyView view(frame);
-  std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < glow_.indices.size(); i += 6) {
+  Chosen shown;
+  for (std::uint32_t i = 0; i < glow_.indices.size(); i += 6) {
     const glm::vec3 &from = directions_[glow_.indices[i]], &to = directions_[glow_.indices[i + 5]];
     if (view.within_picture(from) && !(view.behind_planet(from) && view.behind_planet(to))) shown.push_back(i);
   }
@@ -29,8 +29,8 @@ std::vector<std::size_t> MilkyGlow::choose(const Frame& frame) const {
 
 void MilkyGlow::draw(const Frame& frame) {
   if (!mesh_) return;
-  const auto append = [&](const std::vector<std::size_t>& squares, std::vector<std::uint32_t>& indices) {
-    for (const std::size_t i : squares) {
+  const auto append = [&](const Chosen& squares, std::vector<std::uint32_t>& indices) {
+    for (const std::uint32_t i : squares) {
       const auto first = glow_.indices.begin() + static_cast<std::ptrdiff_t>(i);
       indices.insert(indices.end(), first, first + 6);
     }

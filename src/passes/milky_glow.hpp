@@ -24,13 +24,13 @@ class MilkyGlow {
 
  private:
   // Places in glow_.indices of the squares that the picture shows.
-  [[nodiscard]] std::vector<std::size_t> choose(const Frame& frame) const;
+  [[nodiscard]] Chosen choose(const Frame& frame) const;
 
   gl::LateProgram program_{"stars/glow"};
   BandGlow glow_;
   std::vector<glm::vec3> directions_;  // of its vertices, unit
-  KeptParts<std::vector<std::size_t>, std::uint32_t> parts_;
-  std::optional<gl::Mesh> mesh_;       // none where there is no band
+  KeptBuffer<std::uint32_t> parts_;
+  std::optional<gl::Mesh> mesh_;  // none where there is no band
 };
 
 }  // namespace terrella

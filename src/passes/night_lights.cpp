@@ -31,8 +31,8 @@ void NightLights::draw(const Frame& frame) {
   const glm::vec3 eye(frame.pose.eye), sun(direction_of(frame.scene.sun.latitude, frame.scene.sun.longitude));
   const auto sides = sides_of(frame.pose, frame.view, frame.rows, margin_of_rows(frame));
   const glm::vec3 low(sides[0]), high(sides[1]);
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < found_.lights.size(); ++i) {
+  Chosen chosen;
+  for (std::uint32_t i = 0; i < found_.lights.size(); ++i) {
     const glm::vec3& place = found_.lights[i].position;
     const bool in_rows = glm::dot(low, place - eye) >= 0.0F && glm::dot(high, place - eye) >= 0.0F;
     if (in_rows && glm::dot(place, sun) < f32::lights_on && glm::dot(place, eye - place) > 0.0F) chosen.push_back(i);

@@ -12,7 +12,8 @@ class SkyView {
  public:
   explicit SkyView(const Frame& frame);
 
-  // Whether something about a direction (unit), not wider than margin, may be in the rows of the picture that are drawn.
+  // Whether something about a direction (unit), not wider than margin, may be in the rows of the picture that are
+  // drawn.
   [[nodiscard]] bool within_picture(const glm::vec3& direction) const {
     return picture_.holds(direction) && glm::dot(low_, direction) >= 0.0F && glm::dot(high_, direction) >= 0.0F;
   }

@@ -23,10 +23,10 @@ void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ += glow_.noise_evaluations();
 }
 
-std::vector<std::size_t> StarsNoise::choose(const Frame& frame) const {
+Chosen StarsNoise::choose(const Frame& frame) const {
   const SkyView view(frame);
-  std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < stars_.size(); ++i) {
+  Chosen shown;
+  for (std::uint32_t i = 0; i < stars_.size(); ++i) {
     if (view.within_picture(stars_[i].direction) && !view.behind_planet(stars_[i].direction)) shown.push_back(i);
   }
   return shown;

@@ -60,8 +60,8 @@ struct Rows {
   bool operator==(const Rows&) const = default;
 };
 
-// Two unit vectors that point inwards from the planes through the eye between which rows lie, with a margin (rad) around
-// them; zero on a side where the rows reach the picture's edge.
+// Two unit vectors that point inwards from the planes through the eye between which rows lie, with a margin (rad)
+// around them; zero on a side where the rows reach the picture's edge.
 std::array<glm::dvec3, 2> sides_of(const Pose& pose, const View& view, const Rows& rows, double margin);
 
 // Half the angle of the cone around pose.forward that holds the whole picture, rad.

@@ -202,10 +202,10 @@ TEST(Pictures, DrawnInPartsAreTheSameBitByBit) {
   };
   Studio studio;
   Renderer& renderer = studio.renderer;
-  for (const Place& place : {Place{"temperate", 0.0, 0.0, {20.0, 0.0}}, Place{"storm", 0.0, 0.0, {0.0, -15.0}},
-                             Place{"night", 0.0, 0.0, {}}, Place{"alps", 0.0, 0.0, {}}, Place{"rings", 0.0, 0.0, {}},
-                             Place{"storm", 2e-3, -20.0, {}}, Place{"ocean", 0.05, -35.0, {}},
-                             Place{"alps", 0.02, -10.0, {0.0, 10.0}}, Place{"temperate", 0.0, 60.0, {}}}) {
+  for (const Place& place :
+       {Place{"temperate", 0.0, 0.0, {20.0, 0.0}}, Place{"storm", 0.0, 0.0, {0.0, -15.0}}, Place{"night", 0.0, 0.0, {}},
+        Place{"alps", 0.0, 0.0, {}}, Place{"rings", 0.0, 0.0, {}}, Place{"storm", 2e-3, -20.0, {}},
+        Place{"ocean", 0.05, -35.0, {}}, Place{"alps", 0.02, -10.0, {0.0, 10.0}}, Place{"temperate", 0.0, 60.0, {}}}) {
     Scene scene = find_preset(place.preset)->scene;
     if (place.altitude > 0.0) scene.camera.altitude = place.altitude * scene.planet.radius;
     if (place.pitch != 0.0) scene.camera.pitch = place.pitch;
