@@ -9,7 +9,7 @@ namespace terrella {
 
 class Slices {
  public:
-  static constexpr int most = 8;     // bands
+  static constexpr int most = 6;     // bands: each has to draw again the vertices of its neighbours near the border
   static constexpr int strips = 48;  // of equal height, between which bands may part
 
   // Strips from the bottom of the picture.

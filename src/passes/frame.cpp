@@ -19,14 +19,14 @@ glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dv
 }  // namespace
 
 double margin_of_rows(const Frame& frame) {
-  constexpr double around = 0.02, pixels = 8.0;
-  return around + pixels * frame.pose.pixel_angle;
+  constexpr double pixels = 8.0;
+  return pixels * frame.pose.pixel_angle;
 }
 
 Sight sight_of(const Frame& frame) {
   // A little more than the picture, so that not every move of the camera changes what is drawn.
   return {frame.pose.eye, frame.pose.forward, picture_half_angle(frame.pose, frame.view) + 0.02,
-          sides_of(frame.pose, frame.view, frame.rows, margin_of_rows(frame))};
+          sides_of(frame.pose, frame.view, frame.rows, frame.pose.pixel_angle)};
 }
 
 double solid_radius(const Needs& needs) {

@@ -54,7 +54,7 @@ struct Frame {
 // Whether its rows are all that the picture has.
 inline bool draws_all(const Frame& frame) { return frame.rows == Rows{0, frame.view.height}; }
 
-// Around what is drawn of some rows (rad): room for what is wider than its place, as waves and squares are.
+// Around what is drawn of some rows (rad): room for squares, which are wider than their place.
 double margin_of_rows(const Frame& frame);
 
 Sight sight_of(const Frame& frame);

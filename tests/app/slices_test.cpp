@@ -71,20 +71,21 @@ TEST(Slices, ASlowScreenIsNoSlowMachine) {
 TEST(Slices, SlowPicturesComeInBandsThatCoverThemAndCostTheSame) {
   Machine machine(planet);
   machine.draw(30);
-  ASSERT_EQ(machine.slices.count(), 8);
+  ASSERT_EQ(machine.slices.count(), Slices::most);
   int end = 0;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < Slices::most; ++i) {
     EXPECT_EQ(machine.slices.band(i).first, end);
     EXPECT_GT(machine.slices.band(i).end, end);
     end = machine.slices.band(i).end;
   }
   EXPECT_EQ(end, Slices::strips);
   const std::vector<double> bands = machine.draw_picture();
-  EXPECT_LT(*std::max_element(bands.begin(), bands.end()), 1.3 * (172.0 / 8.0 + 2.0));
+  EXPECT_LT(*std::max_element(bands.begin(), bands.end()), 1.3 * (172.0 / Slices::most + 2.0));
 }
 
 TEST(Slices, ThereAreAsManyAsLastLongEnough) {
-  for (const auto& [picture, count] : {std::pair{20.0, 1}, {30.0, 2}, {45.0, 2}, {66.0, 3}, {110.0, 5}, {900.0, 8}}) {
+  for (const auto& [picture, count] :
+       {std::pair{20.0, 1}, {30.0, 2}, {45.0, 2}, {66.0, 3}, {110.0, 5}, {900.0, Slices::most}}) {
     Machine machine([each = picture / Slices::strips](int) { return each; });
     machine.overhead = 0.0;
     machine.draw(50);
