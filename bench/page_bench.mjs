@@ -42,7 +42,13 @@ function watch() {
     if (watched.first) watched.before(now);
     callback(now);
     if (!drawn) return;
-    for (const context of contexts) context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, pixel);
+    for (const context of contexts) {
+      // A frame may end with a picture of floats bound, which cannot be read as bytes and so would not be waited for.
+      const bound = context.getParameter(context.READ_FRAMEBUFFER_BINDING);
+      context.bindFramebuffer(context.READ_FRAMEBUFFER, null);
+      context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, pixel);
+      context.bindFramebuffer(context.READ_FRAMEBUFFER, bound);
+    }
     watched.frames.push(performance.now() - start);
     watched.first ||= performance.now();
   });

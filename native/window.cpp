@@ -18,7 +18,7 @@ namespace terrella {
 namespace {
 
 constexpr int first_width = 1280, first_height = 720;
-constexpr double patience = 0.01;  // s between looks at shaders that compile
+constexpr double patience = 0.002;  // s between looks at shaders that compile and at bands that are drawn
 
 // GLFW's own words on what went wrong last.
 std::string glfw_complaint() {

@@ -33,6 +33,13 @@ double field_of(double width, double height, glm::dvec2 covered = glm::dvec2(0.0
   return std::max(1.0, height / std::max(1.0, std::min(width - covered.x, height - covered.y)));
 }
 
+// Notes the time since the last one, ms, if there was one.
+void note_interval(std::optional<double>& last, double now, std::deque<double>& intervals) {
+  if (last) intervals.push_back(1000.0 * (now - *last));
+  last = now;
+  if (intervals.size() > frames_timed) intervals.pop_front();
+}
+
 }  // namespace
 
 double Session::seconds_by_the_clock() {
@@ -72,6 +79,7 @@ void Session::context_made() {
 }
 
 void Session::context_lost() {
+  bands_.context_lost();
   painter_.reset();
   preset_pictures_.reset();
   renderer_.reset();
@@ -150,7 +158,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   }
   advance_clock(elapsed);
   // The planet is shown first: a panel's font and programs would keep it waiting.
-  const bool clock_due = planet_stale_ && seconds_by_the_clock() - panel_ran_ >= clock_pace;
+  const bool picture_comes = planet_stale_ || (clock_moved_ && (bands_.bands() == 1 || bands_.complete()));
+  const bool clock_due = picture_comes && seconds_by_the_clock() - panel_ran_ >= clock_pace;
   const bool panel_wanted = panel_shown_ && frames_ > 0 && (panel_frames_ > 0 || clock_due);
   if (panel_wanted) run_panel();
   hand_on_typed_ahead();
@@ -160,8 +169,11 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (planet_stale_ || frames_ == 0 || is_finer()) {
     draw_planet(now);
     turn.drawn = true;
+  } else if (clock_moved_ || bands_.under_way()) {
+    turn.drawn = draw_for_the_clock(now);
   } else {
     last_drawn_.reset();  // what comes next follows on no frame of the planet
+    last_shown_.reset();
     turn.drawn = panel_wanted || panel_frames_ > 0;
   }
   if (turn.drawn) {
@@ -172,9 +184,12 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
   const bool clock_runs = !paused_ && renderer_->needs().moving;
   turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_ ||
-               refines_ || quality_.will_refine(document_.scene);
+               clock_moved_ || bands_.under_way() || refines_ || quality_.will_refine(document_.scene);
   at_rest_ = !turn.again;
-  if (at_rest_) last_drawn_.reset();  // a pause is not a slow frame
+  if (at_rest_) {  // a pause is not a slow frame
+    last_drawn_.reset();
+    last_shown_.reset();
+  }
   return turn;
 }
 
@@ -189,12 +204,12 @@ void Session::draw_preset_picture() {
 void Session::advance_clock(double elapsed) {
   if (paused_ || document_.scene.time.speed == 0.0) return;
   seconds_ += elapsed * document_.scene.time.speed;
-  if (renderer_->needs().moving) planet_stale_ = true;
+  if (renderer_->needs().moving) clock_moved_ = true;
 }
 
 // A planet that rests is drawn as well as can be, and one that moves as fast as is asked.
 void Session::choose_quality(double now) {
-  if (planet_stale_ || camera_.moving() || hand_is_busy()) {
+  if (planet_stale_ || clock_moved_ || bands_.under_way() || camera_.moving() || hand_is_busy()) {
     quality_.moved();
     refines_ = false;
   } else if (renderer_->settled() && quality_.rested(now, document_.scene)) {
@@ -209,32 +224,59 @@ void Session::choose_quality(double now) {
 
 // Whether there is more to show than the last frame did, without anything having changed.
 bool Session::is_finer() {
-  if (frames_ == 0 || renderer_->settled() || hand_on_value_) return false;
+  if (clock_moved_ || bands_.under_way() || renderer_->settled() || hand_on_value_) return false;
   return !renderer_->whole() || renderer_->refine(shown(), view());
 }
 
 void Session::draw_planet(double now) {
+  bands_.drop();
   renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
-  planet_stale_ = false;
-  ++frames_;
+  planet_stale_ = clock_moved_ = false;
   note_frame_time(now);
+  note_picture_time(now);
 }
 
-void Session::note_frame_time(double now) {
-  if (frames_ == 1) first_frame_ms_ = 1000.0 * (now - made_at_);
-  if (last_drawn_) {
-    frame_ms_.push_back(1000.0 * (now - *last_drawn_));
-    // What refines the ground, or a hand that holds it coarse, makes no common frame.
-    if (renderer_->settled() && !hand_on_value_) {
-      quality_.note(now, frame_ms_.back(), document_.scene);
-    } else {
-      quality_.interrupt();
-    }
+bool Session::is_watched() const {
+  const bool held = document_.scene.quality.target_ms > 0.0;  // by giving up quality, not pictures
+  return held || panel_frames_ > 0 || hand_is_busy() || camera_.moving() || !renderer_->settled();
+}
+
+bool Session::draw_for_the_clock(double now) {
+  const bool at_once = is_watched();
+  if (at_once && !bands_.under_way()) {
+    draw_planet(now);
+    return true;
+  }
+  if (!at_once && bands_.gpu_is_busy()) return false;
+  // To show a picture is as much work as a band, and has a frame of its own.
+  const bool show = at_once || bands_.bands() == 1 || bands_.complete();
+  if (!bands_.under_way()) {
+    const double after = last_drawn_ ? 1000.0 * (now - *last_drawn_) : 0.0;
+    bands_.begin(*renderer_, shown(), view(), {Channel::color, Effort::live, false}, after);
+    clock_moved_ = false;
+  } else if (!bands_.complete()) {
+    do bands_.draw_next(*renderer_);
+    while (at_once && !bands_.complete());
+  }
+  note_frame_time(now);
+  if (show) {
+    bands_.drop();
+    note_picture_time(now);
+  }
+  return show;
+}
+
+void Session::note_frame_time(double now) { note_interval(last_drawn_, now, frame_ms_); }
+
+void Session::note_picture_time(double now) {
+  if (++frames_ == 1) first_frame_ms_ = 1000.0 * (now - made_at_);
+  // What refines the ground, or a hand that holds it coarse, makes no common picture.
+  if (last_shown_ && renderer_->settled() && !hand_on_value_) {
+    quality_.note(now, 1000.0 * (now - *last_shown_), document_.scene);
   } else {
     quality_.interrupt();
   }
-  last_drawn_ = now;
-  if (frame_ms_.size() > frames_timed) frame_ms_.pop_front();
+  note_interval(last_shown_, now, picture_ms_);
 }
 
 // Runs the panel's logic on the events since the last time; what it shows is drawn later.
@@ -302,7 +344,7 @@ PanelFacts Session::facts() const {
   facts.can_fill_screen = host_.fill_screen != nullptr;
   facts.can_undo = history_.can_undo();
   facts.can_redo = history_.can_redo();
-  facts.frame_ms = spread_of({frame_ms_.begin(), frame_ms_.end()}).median;
+  facts.frame_ms = spread_of({picture_ms_.begin(), picture_ms_.end()}).median;
   facts.triangles = work.triangles;
   facts.gpu_bytes = work.gpu_bytes;
   facts.noise_evaluations = work.noise_evaluations;
@@ -427,10 +469,11 @@ void Session::copy_failed() {
 void Session::render_at(double seconds, GLuint framebuffer) {
   if (!renderer_) return;
   seconds_ = seconds;
+  bands_.drop();
   renderer_->draw(shown(), view(), {});
   ++frames_;
   renderer_->show(screen(framebuffer), shown().quality.antialias);
-  planet_stale_ = false;
+  planet_stale_ = clock_moved_ = false;
   panel_frames_ = 2;
   unsigned char pixel[4];
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
@@ -456,8 +499,10 @@ std::string Session::stats() const {
   report.width = v.width;
   report.height = v.height;
   report.frame_ms = {frame_ms_.begin(), frame_ms_.end()};
+  report.picture_ms = {picture_ms_.begin(), picture_ms_.end()};
   report.first_frame_ms = first_frame_ms_;
   report.frames = frames_;
+  report.bands = bands_.bands();
   if (renderer_) {
     report.work = renderer_->stats();
     report.needs = renderer_->needs();

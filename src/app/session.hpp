@@ -14,6 +14,7 @@
 #include "app/history.hpp"
 #include "app/input.hpp"
 #include "app/panel_painter.hpp"
+#include "app/picture_in_bands.hpp"
 #include "app/preset_pictures.hpp"
 #include "app/quality_control.hpp"
 #include "base/image.hpp"
@@ -144,8 +145,13 @@ class Session {
   void choose_quality(double now);
   bool is_finer();
   void draw_planet(double now);
+  // What only the clock has made stale; returns whether there is a picture to be shown.
+  bool draw_for_the_clock(double now);
+  // Whether somebody may see that a picture is late.
+  bool is_watched() const;
   void draw_preset_picture();
   void note_frame_time(double now);
+  void note_picture_time(double now);
   PanelFacts facts() const;
   // Sentences about what of the scene lies beyond the range in which its technique holds.
   std::vector<std::string> beyond() const;
@@ -186,18 +192,20 @@ class Session {
   std::optional<std::u32string> typed_ahead_;  // for the search, whose field is on its way
   bool comparing_ = false;
 
-  bool planet_stale_ = true;  // the scene, the size or the time has changed since it was drawn
-  bool refines_ = false;      // a finer picture waits for its programs
-  int panel_frames_ = 3;      // frames that the panel still needs to settle after an event
+  bool planet_stale_ = true;  // the scene, the size or the place in time has changed since it was drawn
+  bool clock_moved_ = false;  // or the clock has run on
+  PictureInBands bands_;
+  bool refines_ = false;  // a finer picture waits for its programs
+  int panel_frames_ = 3;  // frames that the panel still needs to settle after an event
   double now_ = 0.0;
   double last_elapsed_ = 0.0;  // s that the last frame came after the one before it; 0 after a rest
   double panel_ran_ = 0.0;     // s, by a clock of its own: between frames there may be long rests
   bool at_rest_ = true;        // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
-  std::optional<double> last_drawn_;
-  std::deque<double> frame_ms_;
+  std::optional<double> last_drawn_, last_shown_;  // s: a frame that drew anything, a picture on screen
+  std::deque<double> frame_ms_, picture_ms_;
   double first_frame_ms_ = 0.0;
-  std::int64_t frames_ = 0;
+  std::int64_t frames_ = 0;  // pictures shown
 };
 
 }  // namespace terrella

@@ -21,13 +21,17 @@ Spread spread_of(std::vector<double> values) {
 
 std::string to_json(const StatsReport& report) {
   using Json = nlohmann::ordered_json;
-  const Spread spread = spread_of(report.frame_ms);
+  const auto json_of = [](const Spread& spread) {
+    return Json{{"median", spread.median}, {"p10", spread.p10}, {"p90", spread.p90}};
+  };
   Json json;
   json["renderer"] = report.renderer;
   json["size"] = {report.width, report.height};
-  json["frame_ms"] = {{"median", spread.median}, {"p10", spread.p10}, {"p90", spread.p90}};
+  json["frame_ms"] = json_of(spread_of(report.frame_ms));
+  json["picture_ms"] = json_of(spread_of(report.picture_ms.empty() ? report.frame_ms : report.picture_ms));
   json["first_frame_ms"] = report.first_frame_ms;
   json["frames"] = report.frames;
+  json["bands"] = report.bands;
   json["triangles"] = report.work.triangles;
   json["draw_calls"] = report.work.draw_calls;
   json["noise_evaluations"] = report.work.noise_evaluations;

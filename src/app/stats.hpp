@@ -13,9 +13,11 @@ namespace terrella {
 struct StatsReport {
   std::string renderer;
   int width = 0, height = 0;
-  std::vector<double> frame_ms;  // of each timed frame; may be empty
+  std::vector<double> frame_ms;    // of each timed frame; may be empty
+  std::vector<double> picture_ms;  // from one picture on screen to the next, likewise; empty where each frame is one
   double first_frame_ms = 0.0;
-  std::int64_t frames = 0;
+  std::int64_t frames = 0;  // pictures shown
+  int bands = 1;            // frames that a picture is drawn in, beside the one that shows it
   RenderStats work;
   Needs needs;
   std::int64_t nonfinite_pixels = 0;

@@ -31,15 +31,15 @@ Mesh::Mesh(std::span<const glm::vec3> vertices) : vertex_bytes_(static_cast<std:
 void Mesh::set_indices(std::span<const std::uint32_t> indices) {
   glBindVertexArray(array_.name());
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(indices), GL_DYNAMIC_DRAW);
-  triangles_ = static_cast<std::int64_t>(indices.size() / 3);
   memory_.set(vertex_bytes_ + static_cast<std::int64_t>(indices.size_bytes()));
 }
 
-void Mesh::draw() const {
-  if (triangles_ == 0) return;
+void Mesh::draw(std::size_t first, std::size_t count) const {
+  if (count == 0) return;
   glBindVertexArray(array_.name());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles_), GL_UNSIGNED_INT, nullptr);
-  count_draw(triangles_);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(sizeof(std::uint32_t) * first));
+  count_draw(static_cast<std::int64_t>(count / 3));
 }
 
 Squares::Squares(int vec4s_each) : floats_each_(4 * static_cast<std::size_t>(vec4s_each)) {
@@ -63,15 +63,15 @@ void Squares::set(std::span<const float> data) {
     for (int corner = 0; corner < 6; ++corner) vertices.insert(vertices.end(), square.begin(), square.end());
   }
   upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(std::span(vertices)), GL_DYNAMIC_DRAW);
-  count_ = static_cast<GLsizei>(data.size() / floats_each_);
   memory_.set(static_cast<std::int64_t>(6 * data.size_bytes()));
 }
 
-void Squares::draw() const {
-  if (count_ == 0) return;
+void Squares::draw(std::size_t first, std::size_t count) const {
+  if (count == 0) return;
   glBindVertexArray(array_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 6 * count_);
-  count_draw(2 * std::int64_t{count_});
+  glDrawArrays(GL_TRIANGLES, static_cast<GLint>(6 * first / floats_each_),
+               static_cast<GLsizei>(6 * count / floats_each_));
+  count_draw(static_cast<std::int64_t>(2 * count / floats_each_));
 }
 
 void Strip::draw(int vertices) const {

@@ -1,6 +1,7 @@
 // Geometry on the GPU: one buffer of vertices, an optional one of indices.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -20,13 +21,13 @@ class Mesh {
   // indices: three a triangle, counter-clockwise from outside; they replace those before.
   void set_indices(std::span<const std::uint32_t> indices);
 
-  void draw() const;
+  // first, count: of the indices.
+  void draw(std::size_t first, std::size_t count) const;
 
  private:
   VertexArrayHandle array_;
   BufferHandle vertices_;
   BufferHandle indices_;
-  std::int64_t triangles_ = 0;
   std::int64_t vertex_bytes_;
   Holding memory_;
 };
@@ -40,13 +41,13 @@ class Squares {
   // data: vec4s_each * 4 floats a square; replaces what was there.
   void set(std::span<const float> data);
 
-  void draw() const;
+  // first, count: of the floats, whole squares.
+  void draw(std::size_t first, std::size_t count) const;
 
  private:
   VertexArrayHandle array_;
   BufferHandle vertices_;
   std::size_t floats_each_;
-  GLsizei count_ = 0;
   Holding memory_;
 };
 

@@ -16,9 +16,12 @@ class UniformBuffer {
   void set(Block block, std::span<const std::byte> bytes) {
     glBindBuffer(GL_UNIFORM_BUFFER, buffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_DYNAMIC_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, block, buffer_.name());
+    bind(block);
     memory_.set(static_cast<std::int64_t>(bytes.size()));
   }
+
+  // Binds it as it is.
+  void bind(Block block) const { glBindBufferBase(GL_UNIFORM_BUFFER, block, buffer_.name()); }
 
  private:
   BufferHandle buffer_;

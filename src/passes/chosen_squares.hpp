@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "gl/mesh.hpp"
+#include "passes/frame.hpp"
+#include "passes/kept_parts.hpp"
 
 namespace terrella {
 
@@ -13,26 +15,23 @@ class ChosenSquares {
   explicit ChosenSquares(int vec4s_each) : squares_(vec4s_each) {}
 
   // From now on all that is chosen counts as new.
-  void forget() {
-    chosen_.clear();
-    squares_.set({});
-  }
+  void forget() { parts_.forget(); }
 
-  // chosen: places of the squares to draw among all; append(place, data): adds the floats of one.
+  // chosen: places of the squares to draw among all; append(place, data): adds the floats of one. frame: for whose rows
+  // they are.
   template <class Append>
-  void draw(std::vector<std::size_t> chosen, const Append& append) {
-    if (chosen != chosen_) {
-      std::vector<float> data;
-      for (const std::size_t place : chosen) append(place, data);
-      squares_.set(data);
-      chosen_ = std::move(chosen);
-    }
-    squares_.draw();
+  void draw(const Frame& frame, Chosen chosen, const Append& append) {
+    const auto append_all = [&](const Chosen& places, std::vector<float>& data) {
+      for (const std::uint32_t place : places) append(place, data);
+    };
+    const auto send = [&](const std::vector<float>& data) { squares_.set(data); };
+    const auto [first, count] = parts_.range_of(std::move(chosen), draws_all(frame), append_all, send);
+    squares_.draw(first, count);
   }
 
  private:
   gl::Squares squares_;
-  std::vector<std::size_t> chosen_;
+  KeptBuffer<float> parts_;
 };
 
 }  // namespace terrella

@@ -18,9 +18,15 @@ glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dv
 
 }  // namespace
 
+double margin_of_rows(const Frame& frame) {
+  constexpr double pixels = 8.0;
+  return pixels * frame.pose.pixel_angle;
+}
+
 Sight sight_of(const Frame& frame) {
   // A little more than the picture, so that not every move of the camera changes what is drawn.
-  return {frame.pose.eye, frame.pose.forward, picture_half_angle(frame.pose, frame.view) + 0.02};
+  return {frame.pose.eye, frame.pose.forward, picture_half_angle(frame.pose, frame.view) + 0.02,
+          sides_of(frame.pose, frame.view, frame.rows, frame.pose.pixel_angle)};
 }
 
 double solid_radius(const Needs& needs) {
@@ -45,7 +51,7 @@ double map_level(const Frame& frame, double radius, double texel) {
 }
 
 FrameBlock frame_block(const Frame& frame, const Maps& maps) {
-  const auto& [scene, view, pose, needs, sea, channel, effort] = frame;
+  const auto& [scene, view, pose, needs, sea, channel, effort, rows] = frame;
   const double aspect = static_cast<double>(view.width) / view.height;
   const glm::vec3 high(pose.eye);
   const f64::SceneLight light = light_of(scene, pose);

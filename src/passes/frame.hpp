@@ -48,7 +48,14 @@ struct Frame {
   const Sea& sea;
   Channel channel = Channel::color;
   Effort effort = Effort::complete;
+  Rows rows;  // of the picture that are drawn now; all else of it is as for the whole
 };
+
+// Whether its rows are all that the picture has.
+inline bool draws_all(const Frame& frame) { return frame.rows == Rows{0, frame.view.height}; }
+
+// Around what is drawn of some rows (rad): room for squares, which are wider than their place.
+double margin_of_rows(const Frame& frame);
 
 Sight sight_of(const Frame& frame);
 

@@ -153,7 +153,7 @@ void GroundIcosphere::draw(const Frame& frame) {
   for (const RadiusRange& range : surface.ranges) {
     tops.push_back(range.highest < shown ? 0.0F : static_cast<float>(range.highest));
   }
-  surface.mesh.draw(visible_groups(sight_of(frame), std::max(lowest, water.lowest), tops), shown);
+  surface.mesh.draw(frame, visible_groups(sight_of(frame), std::max(lowest, water.lowest), tops), shown);
 }
 
 }  // namespace terrella

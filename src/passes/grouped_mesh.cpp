@@ -15,16 +15,16 @@ GroupedMesh::GroupedMesh(std::span<const glm::vec3> vertices, GroupedTriangles t
 
 void GroupedMesh::set(GroupedTriangles triangles) {
   triangles_ = std::move(triangles);
-  groups_.clear();
-  mesh_.set_indices({});
+  parts_.forget();
 }
 
-void GroupedMesh::draw(std::vector<std::uint32_t> groups, double lowest) {
-  if (groups != groups_ || lowest != lowest_) {
+void GroupedMesh::draw(const Frame& frame, Chosen groups, double lowest) {
+  if (lowest != lowest_) parts_.forget();
+  lowest_ = lowest;
+  const auto append = [&](const Chosen& drawn, std::vector<std::uint32_t>& chosen) {
     const auto radius = static_cast<float>(lowest);
     const std::vector<std::uint32_t>& all = triangles_.indices;
-    std::vector<std::uint32_t> chosen;
-    for (const std::uint32_t g : groups) {
+    for (const std::uint32_t g : drawn) {
       for (std::size_t i = 3 * std::size_t{triangles_.starts[g]}; i < 3 * std::size_t{triangles_.starts[g + 1]};
            i += 3) {
         if (std::max({radii_[all[i]], radii_[all[i + 1]], radii_[all[i + 2]]}) >= radius) {
@@ -32,11 +32,10 @@ void GroupedMesh::draw(std::vector<std::uint32_t> groups, double lowest) {
         }
       }
     }
-    mesh_.set_indices(chosen);
-    groups_ = std::move(groups);
-    lowest_ = lowest;
-  }
-  mesh_.draw();
+  };
+  const auto send = [&](const std::vector<std::uint32_t>& indices) { mesh_.set_indices(indices); };
+  const auto [first, count] = parts_.range_of(std::move(groups), draws_all(frame), append, send);
+  mesh_.draw(first, count);
 }
 
 }  // namespace terrella

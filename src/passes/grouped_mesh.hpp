@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "gl/mesh.hpp"
+#include "passes/frame.hpp"
+#include "passes/kept_parts.hpp"
 #include "planet/icosphere_groups.hpp"
 
 namespace terrella {
@@ -17,15 +19,15 @@ class GroupedMesh {
   void set(GroupedTriangles triangles);
 
   // Draws groups, in one call, without the triangles that lie whole below a radius. Uploads their indices where they
-  // are not those of the last time.
-  void draw(std::vector<std::uint32_t> groups, double lowest = 0.0);
+  // are new. frame: for whose rows they are.
+  void draw(const Frame& frame, Chosen groups, double lowest = 0.0);
 
  private:
   gl::Mesh mesh_;
   GroupedTriangles triangles_;
-  std::vector<float> radii_;           // of the vertices
-  std::vector<std::uint32_t> groups_;  // those whose indices are on the GPU
-  double lowest_ = 0.0;                // and what was left out of them
+  std::vector<float> radii_;         // of the vertices
+  KeptBuffer<std::uint32_t> parts_;  // of groups
+  double lowest_ = 0.0;              // what was left out of them
 };
 
 }  // namespace terrella

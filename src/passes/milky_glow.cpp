@@ -1,7 +1,5 @@
 #include "passes/milky_glow.hpp"
 
-#include <utility>
-
 #include <glm/geometric.hpp>
 
 #include "passes/sky_view.hpp"
@@ -12,17 +10,17 @@ static_assert(band_square < SkyView::margin);
 
 void MilkyGlow::set(const Scene& scene) {
   glow_ = find_band_glow(scene);
-  chosen_.clear();
+  parts_.forget();
   mesh_.reset();
   directions_.clear();
   for (const glm::vec3& vertex : glow_.vertices) directions_.push_back(glm::normalize(vertex));
   if (!glow_.vertices.empty()) mesh_.emplace(glow_.vertices);
 }
 
-std::vector<std::size_t> MilkyGlow::choose(const Frame& frame) const {
+Chosen MilkyGlow::choose(const Frame& frame) const {
   const SkyView view(frame);
-  std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < glow_.indices.size(); i += 6) {
+  Chosen shown;
+  for (std::uint32_t i = 0; i < glow_.indices.size(); i += 6) {
     const glm::vec3 &from = directions_[glow_.indices[i]], &to = directions_[glow_.indices[i + 5]];
     if (view.within_picture(from) && !(view.behind_planet(from) && view.behind_planet(to))) shown.push_back(i);
   }
@@ -31,18 +29,16 @@ std::vector<std::size_t> MilkyGlow::choose(const Frame& frame) const {
 
 void MilkyGlow::draw(const Frame& frame) {
   if (!mesh_) return;
-  std::vector<std::size_t> shown = choose(frame);
-  if (shown != chosen_) {
-    std::vector<std::uint32_t> indices;
-    for (const std::size_t i : shown) {
+  const auto append = [&](const Chosen& squares, std::vector<std::uint32_t>& indices) {
+    for (const std::uint32_t i : squares) {
       const auto first = glow_.indices.begin() + static_cast<std::ptrdiff_t>(i);
       indices.insert(indices.end(), first, first + 6);
     }
-    mesh_->set_indices(indices);
-    chosen_ = std::move(shown);
-  }
+  };
+  const auto send = [&](const std::vector<std::uint32_t>& indices) { mesh_->set_indices(indices); };
+  const auto [first, count] = parts_.range_of(choose(frame), draws_all(frame), append, send);
   program_->use();
-  mesh_->draw();
+  mesh_->draw(first, count);
 }
 
 }  // namespace terrella

@@ -7,6 +7,7 @@
 #include "gl/late_program.hpp"
 #include "gl/mesh.hpp"
 #include "passes/frame.hpp"
+#include "passes/kept_parts.hpp"
 #include "planet/milky_band.hpp"
 
 namespace terrella {
@@ -23,13 +24,13 @@ class MilkyGlow {
 
  private:
   // Places in glow_.indices of the squares that the picture shows.
-  [[nodiscard]] std::vector<std::size_t> choose(const Frame& frame) const;
+  [[nodiscard]] Chosen choose(const Frame& frame) const;
 
   gl::LateProgram program_{"stars/glow"};
   BandGlow glow_;
   std::vector<glm::vec3> directions_;  // of its vertices, unit
-  std::vector<std::size_t> chosen_;    // whose indices are on the GPU
-  std::optional<gl::Mesh> mesh_;       // none where there is no band
+  KeptBuffer<std::uint32_t> parts_;
+  std::optional<gl::Mesh> mesh_;  // none where there is no band
 };
 
 }  // namespace terrella

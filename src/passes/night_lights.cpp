@@ -30,14 +30,17 @@ void NightLights::draw(const Frame& frame) {
   // Those of a mesh of another fineness stand in: they are in the same places, a little higher or lower.
   if (!key_ || key_->places != wanted_->places) return;
   const glm::vec3 eye(frame.pose.eye), sun(direction_of(frame.scene.sun.latitude, frame.scene.sun.longitude));
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < found_.lights.size(); ++i) {
+  const auto sides = sides_of(frame.pose, frame.view, frame.rows, margin_of_rows(frame));
+  const glm::vec3 low(sides[0]), high(sides[1]);
+  Chosen chosen;
+  for (std::uint32_t i = 0; i < found_.lights.size(); ++i) {
     const glm::vec3& place = found_.lights[i].position;
-    if (glm::dot(place, sun) < f32::lights_on && glm::dot(place, eye - place) > 0.0F) chosen.push_back(i);
+    const bool in_rows = glm::dot(low, place - eye) >= 0.0F && glm::dot(high, place - eye) >= 0.0F;
+    if (in_rows && glm::dot(place, sun) < f32::lights_on && glm::dot(place, eye - place) > 0.0F) chosen.push_back(i);
   }
   program_->use();
   program_->set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
-  squares_.draw(std::move(chosen), [&](std::size_t i, std::vector<float>& data) {
+  squares_.draw(frame, std::move(chosen), [&](std::size_t i, std::vector<float>& data) {
     const auto& [place, brightness] = found_.lights[i];
     data.insert(data.end(), {place.x, place.y, place.z, brightness});
   });

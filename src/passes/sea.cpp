@@ -47,7 +47,7 @@ void SeaPass::draw(const Frame& frame, std::span<const RadiusRange> ground) {
   for (std::size_t g = 0; g < ground.size(); ++g) {
     if (ground[g].lowest > water.highest) tops[g] = 0.0F;
   }
-  spheres_.directions(frame.needs.water_level).draw(visible_groups(sight_of(frame), water.lowest, tops));
+  spheres_.directions(frame.needs.water_level).draw(frame, visible_groups(sight_of(frame), water.lowest, tops));
 }
 
 }  // namespace terrella

@@ -14,7 +14,7 @@ void draw_shell(SphereMeshes& spheres, gl::Program& program, const Frame& frame,
   program.set("shell", static_cast<float>(radius));
   glEnable(GL_CULL_FACE);
   glCullFace(above ? GL_BACK : GL_FRONT);
-  spheres.directions(level).draw(visible_groups(sight_of(frame), occluder, tops));
+  spheres.directions(level).draw(frame, visible_groups(sight_of(frame), occluder, tops));
   glCullFace(GL_BACK);
   glDisable(GL_CULL_FACE);  // as for all veils
 }

@@ -11,6 +11,9 @@ bool SkyView::Cone::holds(const glm::vec3& direction) const { return glm::dot(ax
 SkyView::SkyView(const Frame& frame) {
   const double half_angle = picture_half_angle(frame.pose, frame.view) + margin;
   picture_ = {glm::vec3(frame.pose.forward), static_cast<float>(std::cos(half_angle))};
+  const auto sides = sides_of(frame.pose, frame.view, frame.rows, margin + margin_of_rows(frame));
+  low_ = glm::vec3(sides[0]);
+  high_ = glm::vec3(sides[1]);
   const double solid = solid_radius(frame.needs), distance = glm::length(frame.pose.eye);
   const double sine = distance > solid ? solid / distance : 0.0;
   planet_ = {glm::vec3(-frame.pose.eye / distance),

@@ -1,6 +1,7 @@
 // Which directions of the sky a picture shows.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "passes/frame.hpp"
@@ -11,8 +12,11 @@ class SkyView {
  public:
   explicit SkyView(const Frame& frame);
 
-  // Whether something about a direction (unit), not wider than margin, may be in the picture.
-  [[nodiscard]] bool within_picture(const glm::vec3& direction) const { return picture_.holds(direction); }
+  // Whether something about a direction (unit), not wider than margin, may be in the rows of the picture that are
+  // drawn.
+  [[nodiscard]] bool within_picture(const glm::vec3& direction) const {
+    return picture_.holds(direction) && glm::dot(low_, direction) >= 0.0F && glm::dot(high_, direction) >= 0.0F;
+  }
   // Whether the planet hides a direction.
   [[nodiscard]] bool behind_planet(const glm::vec3& direction) const { return planet_.holds(direction); }
 
@@ -27,6 +31,7 @@ class SkyView {
   };
 
   Cone picture_, planet_;
+  glm::vec3 low_, high_;  // inwards from the planes around the rows
 };
 
 }  // namespace terrella

@@ -23,10 +23,10 @@ void StarsNoise::update(const Frame& frame) {
   noise_evaluations_ += glow_.noise_evaluations();
 }
 
-std::vector<std::size_t> StarsNoise::choose(const Frame& frame) const {
+Chosen StarsNoise::choose(const Frame& frame) const {
   const SkyView view(frame);
-  std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < stars_.size(); ++i) {
+  Chosen shown;
+  for (std::uint32_t i = 0; i < stars_.size(); ++i) {
     if (view.within_picture(stars_[i].direction) && !view.behind_planet(stars_[i].direction)) shown.push_back(i);
   }
   return shown;
@@ -36,7 +36,7 @@ void StarsNoise::draw(const Frame& frame) {
   if (!key_) return;
   program_->use();
   program_->set("picture_size", static_cast<float>(frame.view.width), static_cast<float>(frame.view.height));
-  squares_.draw(choose(frame), [&](std::size_t i, std::vector<float>& data) {
+  squares_.draw(frame, choose(frame), [&](std::size_t i, std::vector<float>& data) {
     const glm::vec3 &d = stars_[i].direction, &c = stars_[i].color;
     data.insert(data.end(), {d.x, d.y, d.z, stars_[i].brightness, c.r, c.g, c.b, 0.0F});
   });

@@ -23,7 +23,7 @@ class StarsNoise {
 
  private:
   // Places in stars_ of those that the picture shows.
-  [[nodiscard]] std::vector<std::size_t> choose(const Frame& frame) const;
+  [[nodiscard]] Chosen choose(const Frame& frame) const;
 
   struct Key {
     double density, band;

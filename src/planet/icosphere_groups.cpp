@@ -183,12 +183,15 @@ std::vector<std::uint32_t> visible_groups(const Sight& sight, double occluder, s
     const auto top = static_cast<double>(tops[g]);
     if (top <= 0.0) continue;
     const auto& [axis, half_angle] = cones[g];
+    // A ball around all between occluder and top, from its middle: beside the planes? That is the quickest to tell.
+    const glm::dvec3 to_middle = 0.5 * (occluder + top) * axis - sight.eye;
+    const double ball = 0.5 * std::abs(top - occluder) + std::max(top, occluder) * half_angle;
+    const auto& [low, high] = sight.sides;
+    if (glm::dot(low, to_middle) < -ball || glm::dot(high, to_middle) < -ball) continue;
     // Beyond the horizon, by more than what rises there still shows over it.
     const double away = arc_cosine(glm::dot(axis, sight.eye) / distance) - half_angle;
     if (away > horizon && away > horizon + arc_cosine(occluder / top)) continue;
-    // Beside the picture: a ball around all between occluder and top, from its middle.
-    const glm::dvec3 to_middle = 0.5 * (occluder + top) * axis - sight.eye;
-    const double ball = 0.5 * std::abs(top - occluder) + std::max(top, occluder) * half_angle;
+    // Beside the picture.
     const double far = glm::length(to_middle);
     const double beside =
         far > ball ? arc_cosine(glm::dot(to_middle, sight.forward) / far) - std::asin(ball / far) : 0.0;

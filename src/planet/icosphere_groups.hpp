@@ -1,6 +1,7 @@
 // An icosphere in groups of triangles, so that what cannot be seen need not be drawn.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -42,11 +43,12 @@ double icosphere_sag(int level);
 // The range of the surface over each group, whichever of its triangles are drawn. sphere, positions: as above.
 std::vector<RadiusRange> radius_ranges(const Icosphere& sphere, std::span<const glm::vec3> positions);
 
-// What an eye can see: a cone around a direction.
+// What an eye can see: a cone around a direction, and of that what lies between two planes through the eye.
 struct Sight {
   glm::dvec3 eye;                     // planet radii from the centre
   glm::dvec3 forward{1.0, 0.0, 0.0};  // unit
   double half_angle = 4.0;            // rad; pi or more: all around
+  std::array<glm::dvec3, 2> sides{};  // unit, pointing inwards; 0 where there is no plane
 };
 
 // The groups that may be seen, in order. occluder: radius of a sphere that lies within the surface; tops: how high the

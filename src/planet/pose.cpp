@@ -102,6 +102,22 @@ glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pix
   return glm::normalize(pose.forward + pose.tan_half_fov * (x * pose.right + y * pose.up));
 }
 
+std::array<glm::dvec3, 2> sides_of(const Pose& pose, const View& view, const Rows& rows, double margin) {
+  const auto angle = [&](int row) {
+    return std::atan(pose.tan_half_fov * (2.0 * (row + view.shift.y) / view.height - 1.0));
+  };
+  std::array<glm::dvec3, 2> sides{};
+  if (rows.first > 0) {
+    const double below = angle(rows.first) - margin;
+    sides[0] = std::cos(below) * pose.up - std::sin(below) * pose.forward;
+  }
+  if (rows.end < view.height) {
+    const double above = angle(rows.end) + margin;
+    sides[1] = std::sin(above) * pose.forward - std::cos(above) * pose.up;
+  }
+  return sides;
+}
+
 double picture_half_angle(const Pose& pose, const View& view) {
   // To the corner that a shift has moved furthest from the middle.
   const double x = view.width + 2.0 * std::abs(view.shift.x), y = view.height + 2.0 * std::abs(view.shift.y);

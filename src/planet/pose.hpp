@@ -2,6 +2,8 @@
 // origin, its axis is z, latitude and longitude 0 lie on x.
 #pragma once
 
+#include <array>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -50,6 +52,17 @@ glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pix
 struct PictureBox {
   double left = 0.0, bottom = 0.0, right = 1.0, top = 1.0;
 };
+
+// Rows [first, end) of a picture's pixels, counted from the bottom.
+struct Rows {
+  int first = 0, end = 0;
+
+  bool operator==(const Rows&) const = default;
+};
+
+// Two unit vectors that point inwards from the planes through the eye between which rows lie, with a margin (rad)
+// around them; zero on a side where the rows reach the picture's edge.
+std::array<glm::dvec3, 2> sides_of(const Pose& pose, const View& view, const Rows& rows, double margin);
 
 // Half the angle of the cone around pose.forward that holds the whole picture, rad.
 double picture_half_angle(const Pose& pose, const View& view);

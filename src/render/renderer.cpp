@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/check.hpp"
 #include "formulas/formulas.hpp"
 #include "gl/caps.hpp"
 #include "planet/spheres.hpp"
@@ -84,7 +85,15 @@ Renderer::Renderer() : no_ground_(1, gl::Format::rgba16f), no_clouds_(1, gl::For
   gl::fill(no_clouds_, {0.0F, 0.0F, 0.0F, 0.0F});
 }
 
+void Renderer::wait() const {
+  if (!light_) return;
+  light_->begin();
+  float pixel[4];
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, pixel);
+}
+
 double Renderer::prepare(const Scene& scene, const View& view) {
+  begun_.reset();
   pose_ = pose_of(scene, view);
   needs_ = needs_of(scene, view, pose_);
   choose_techniques();
@@ -115,25 +124,41 @@ double Renderer::ready() {
 }
 
 void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
+  begin(scene, view, shot);
+  draw_rows({0, view.height});
+}
+
+void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
   pose_ = pose_of(scene, view);
   needs_ = needs_of(scene, view, pose_);
   choose_techniques();
-  const Sea sea = make_sea(scene, view.seconds);
-  const Frame frame = {scene, view, pose_, needs_, sea, shot.channel, shot.effort};
+  begun_.emplace(Begun{scene, view, shot, make_sea(scene, view.seconds)});
   effort_ = shot.effort;
   planet_box_ = box_of_sphere(pose_, view, outermost_radius(scene));
 
   gl::begin_frame();
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
-  update_slots(frame);
-  set_maps(frame);
+  update_slots(frame_of({0, view.height}));
   begin_light(view, shot);
+}
 
+Frame Renderer::frame_of(const Rows& rows) const {
+  CHECK(begun_, rows.first);
+  return {begun_->scene, begun_->view, pose_, needs_, begun_->sea, begun_->shot.channel, effort_, rows};
+}
+
+void Renderer::draw_rows(const Rows& rows) {
+  const Frame frame = frame_of(rows);
+  // Whoever drew in between may have bound their own.
+  scene_buffer_.bind(gl::block_scene);
+  set_maps(frame);
+  light_->begin();
+  const gl::Scissors scissors({0, rows.first, frame.view.width, rows.end - rows.first});
   draw_opaque();
   // The ground first: it costs little where water hides it, and hides the water behind it.
   if (ground_) ground_->draw(frame);
   if (water_) water_->draw(frame, ground_ ? ground_->ranges() : std::span<const RadiusRange>());
-  if (shot.channel == Channel::color) {
+  if (frame.channel == Channel::color) {
     draw_veils();
     if (stars_) stars_->draw(frame);
     if (sun_) sun_->draw_disc(frame);
@@ -153,7 +178,7 @@ bool Renderer::refine(const Scene& scene, const View& view) {
   const int before = settled_slots();
   const Sea sea = make_sea(scene, view.seconds);
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
-  update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live});
+  update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live, {0, view.height}});
   return settled_slots() != before;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,13 @@ class Renderer {
   // Draws into the renderer's own picture of light. view: in pixels drawn.
   void draw(const Scene& scene, const View& view, const Shot& shot);
 
+  // The same in parts: begin, then all rows of the picture, each once. In between others may draw, but nothing else may
+  // be asked of this renderer.
+  void begin(const Scene& scene, const View& view, const Shot& shot);
+  void draw_rows(const Rows& rows);
+  // Until what was drawn so far is there.
+  void wait() const;
+
   // Goes on with what a picture that is shown still lacks, as draw does with Effort::live, but draws none. Returns
   // whether one would now show more. Of a whole() picture, for the scene and view it was drawn for.
   bool refine(const Scene& scene, const View& view);
@@ -79,6 +87,15 @@ class Renderer {
   void update_slots(const Frame& frame);
   void begin_light(const View& view, const Shot& shot);
   void set_maps(const Frame& frame);
+  [[nodiscard]] Frame frame_of(const Rows& rows) const;
+
+  // A picture of which rows are still to be drawn.
+  struct Begun {
+    Scene scene;
+    View view;
+    Shot shot;
+    Sea sea;
+  };
 
   SphereMeshes spheres_;
   gl::UniformBuffer scene_buffer_, frame_buffer_;
@@ -96,6 +113,7 @@ class Renderer {
   gl::CubeMap no_clouds_;
   Needs needs_;
   PictureBox planet_box_;
+  std::optional<Begun> begun_;
   Effort effort_ = Effort::complete;  // of the last draw
   Pose pose_{};
   std::int64_t noise_evaluations_ = 0, texture_reads_ = 0;

@@ -94,10 +94,10 @@ class SessionTest : public testing::Test {
   }
 
   std::unique_ptr<EglContext> context_;
-  GLuint texture_ = 0, framebuffer_ = 0;
-  double now_ = 1.0;
 
  protected:
+  GLuint texture_ = 0, framebuffer_ = 0;
+  double now_ = 1.0;
   int changes = 0, screens = 0;   // told to the host
   std::vector<std::string> kept;  // by the host
   std::string copied;             // from a field
@@ -105,6 +105,102 @@ class SessionTest : public testing::Test {
 };
 
 constexpr Modifiers control{false, true}, control_shift{true, true};
+
+// A planet that takes this machine long, with its clock running.
+class SlowSessionTest : public SessionTest {
+ protected:
+  static constexpr int large_width = 1000, large_height = 640;
+
+  void SetUp() override {
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, large_width, large_height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    session.resize(large_width, large_height, 1.0);
+    session.load_link("preset=storm");
+    settle();
+    session.set_paused(false);
+    for (int i = 0; i < 20 && bands() == 1; ++i) session.frame(now_ += 0.2, framebuffer_);
+    if (bands() == 1) GTEST_SKIP() << "this machine is too quick";
+  }
+
+  int bands() const { return nlohmann::json::parse(session.stats())["bands"]; }
+  int shown() const { return nlohmann::json::parse(session.stats())["frames"]; }
+
+  Session::Turn frame() { return session.frame(now_ += 0.02, framebuffer_); }
+
+  std::vector<unsigned char> screen() const {
+    std::vector<unsigned char> bytes(std::size_t{4} * large_width * large_height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glReadPixels(0, 0, large_width, large_height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return bytes;
+  }
+
+  // To where a picture is under way.
+  void go_half_way() {
+    while (!frame().drawn) {
+    }
+    frame();
+    EXPECT_FALSE(frame().drawn);
+  }
+};
+
+TEST_F(SlowSessionTest, TheClocksPictureIsOnScreenWhenAllOfItsBandsAre) {
+  go_half_way();
+  for (int picture = 0; picture < 3; ++picture) {
+    const int before = shown();
+    const std::vector<unsigned char> old = screen();
+    int frames = 0;
+    Session::Turn turn = frame();
+    for (; !turn.drawn && frames < 10000; ++frames) {
+      EXPECT_TRUE(turn.again);
+      EXPECT_EQ(shown(), before);
+      EXPECT_EQ(screen(), old);
+      turn = frame();
+    }
+    EXPECT_GE(frames, 1);
+    EXPECT_EQ(shown(), before + 1);
+    EXPECT_NE(screen(), old);
+  }
+}
+
+TEST_F(SlowSessionTest, WhatAHandChangesIsOnScreenInTheNextFrame) {
+  go_half_way();
+  const std::vector<unsigned char> before = screen();
+  session.set("planet.seed", "77");
+  EXPECT_TRUE(frame().drawn);
+  EXPECT_NE(screen(), before);
+}
+
+TEST_F(SlowSessionTest, APanelThatChangesCompletesThePicture) {
+  go_half_way();
+  const int before = shown();
+  session.show_panel(false);
+  EXPECT_TRUE(frame().drawn);
+  EXPECT_EQ(shown(), before + 1);
+}
+
+TEST_F(SlowSessionTest, AStoppedClockLeavesThePictureOfItsMoment) {
+  go_half_way();
+  session.set_paused(true);
+  int frames = 0;
+  Session::Turn turn = frame();
+  for (; turn.again && frames < 1000; ++frames) turn = frame();
+  EXPECT_FALSE(turn.again);
+  const std::vector<unsigned char> stopped = screen();
+  session.resize(large_width, large_height, 1.0);  // draws anew
+  settle();
+  EXPECT_EQ(screen(), stopped);
+}
+
+TEST_F(SlowSessionTest, APictureInBetweenDoesNotDisturbTheScreen) {
+  go_half_way();
+  const Image one = session.picture(64, 36);
+  EXPECT_TRUE(frame().drawn);
+  session.render_at(5.0, framebuffer_);
+  const std::vector<unsigned char> five = screen();
+  go_half_way();
+  session.render_at(5.0, framebuffer_);
+  EXPECT_EQ(screen(), five);
+}
 
 TEST_F(SessionTest, ArrowsAreThePlanetsUntilTabLeadsIntoThePanel) {
   session.show_panel(true);

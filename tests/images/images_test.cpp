@@ -194,6 +194,36 @@ TEST(Pictures, SettleFromCoarseToTheCompleteOne) {
   EXPECT_NE(settled, coarse);
 }
 
+TEST(Pictures, DrawnInPartsAreTheSameBitByBit) {
+  struct Place {
+    const char* preset;
+    double altitude, pitch;  // 0: the preset's own
+    glm::dvec2 shift;
+  };
+  Studio studio;
+  Renderer& renderer = studio.renderer;
+  for (const Place& place :
+       {Place{"temperate", 0.0, 0.0, {20.0, 0.0}}, Place{"storm", 0.0, 0.0, {0.0, -15.0}}, Place{"night", 0.0, 0.0, {}},
+        Place{"alps", 0.0, 0.0, {}}, Place{"rings", 0.0, 0.0, {}}, Place{"storm", 2e-3, -20.0, {}},
+        Place{"ocean", 0.05, -35.0, {}}, Place{"alps", 0.02, -10.0, {0.0, 10.0}}, Place{"temperate", 0.0, 60.0, {}}}) {
+    Scene scene = find_preset(place.preset)->scene;
+    if (place.altitude > 0.0) scene.camera.altitude = place.altitude * scene.planet.radius;
+    if (place.pitch != 0.0) scene.camera.pitch = place.pitch;
+    View view;
+    view.width = 320;
+    view.height = 180;
+    view.seconds = 3.0;
+    view.shift = place.shift;
+    renderer.draw(scene, view, {});
+    const std::vector<float> light = renderer.read_light();
+    for (int picture = 0; picture < 2; ++picture) {  // the second finds its geometry where the first has left it
+      renderer.begin(scene, view, {});
+      for (const Rows& rows : {Rows{0, 37}, Rows{90, 180}, Rows{37, 38}, Rows{38, 90}}) renderer.draw_rows(rows);
+      EXPECT_EQ(light, renderer.read_light()) << place.preset << ' ' << place.altitude;
+    }
+  }
+}
+
 TEST(Pictures, SoonLackNothingAndCompleteOnesNever) {
   const Scene& scene = find_preset("temperate")->scene;
   View view;

@@ -30,15 +30,19 @@ export interface Stats {
   size: [number, number];
   /** Milliseconds from one frame to the next, over the last sixty: median, and the 10th and 90th of a hundred. */
   frame_ms: { median: number; p10: number; p90: number };
+  /** The same from one picture on screen to the next: on slow machines one is drawn in several frames. */
+  picture_ms: { median: number; p10: number; p90: number };
   /** Milliseconds from the start until the first frame. */
   first_frame_ms: number;
-  /** Frames drawn since the start. */
+  /** Pictures shown since the start. */
   frames: number;
-  /** Triangles of the last frame. */
+  /** Frames that a picture is drawn in while nothing but time goes on; 1 where it is drawn and shown in one. */
+  bands: number;
+  /** Triangles of the last picture. */
   triangles: number;
-  /** Draw calls of the last frame. */
+  /** Draw calls of the last picture. */
   draw_calls: number;
-  /** Evaluations of noise for the last frame, at the most. */
+  /** Evaluations of noise for the last picture, at the most. */
   noise_evaluations: number;
   /** Bytes of graphics memory in use. */
   gpu_bytes: number;
