@@ -11,12 +11,12 @@ void emit_ground(GroundAt ground, float grain) {
   vec3 place = surface_position();
   float radius = length(place);
   vec3 up = place / radius;
-  vec3 normal = slope_normal(up, radius, ground.gradient);
+  vec3 normal = mean_normal(up, radius, ground, -normalize(surface_from_eye));
   vec3 albedo = grained(ground_albedo(up, ground, normal, scene_bands()), grain);
   // Just under water the light has come through some of it; further down the water hides the ground.
   albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * ground.height);
   SceneLight scene = scene_light();
   LightAt at = light_at(up, radius - 1.0, scene);
   vec3 light = ground_light(albedo, normal, at, shade_of_clouds(place), scene);
-  emit_surface(through_air(light, at, surface_from_eye, scene), surface_from_eye, normal, radius - 1.0);
+  emit_surface(through_air(light, at, surface_from_eye, scene), surface_from_eye, normalize(normal), radius - 1.0);
 }

@@ -36,7 +36,7 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
   float depth = max(0.5 * (deep - found.height), 0.0);
   float grain = 0.0;
   refine_land(found, grain, bottom, w.depth);
-  vec3 normal = slope_normal(bottom, 1.0 + max(found.height, 0.0), found.gradient);
+  vec3 normal = mean_normal(bottom, 1.0 + max(found.height, 0.0), found, -refracted);
   vec3 albedo = grained(ground_albedo(bottom, found, normal, scene_bands()), grain);
   return light_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
 }

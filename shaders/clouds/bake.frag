@@ -22,7 +22,7 @@ void main() {
   for (int i = 0; i < octaves; ++i) {
     vec4 pair = turns[i >> 1];
     vec2 turn = (i & 1) == 0 ? pair.xy : pair.zw;
-    vec3 place = flow_place(i < wound_layers ? wound : direction, frequency, clouds_warp, warp, i, seed);
+    vec3 place = flow_place(i < wound_layers ? wound : direction, frequency, stirred(i, clouds_warp), warp, i, seed);
     // Where warp has drawn a layer out, the map may be too coarse for its cells.
     vec3 right = dFdx(place), up = dFdy(place);
     float shown = layer_weight(1.0, sqrt(0.5 * (dot(right, right) + dot(up, up))));

@@ -1,5 +1,5 @@
-// The shell of clouds so near that pixels are finer than its map: further layers of flow noise at every pixel. Nothing
-// stirs them, and they turn no faster than the finest layer of the map, so that they do not boil.
+// The shell of clouds so near that pixels are finer than its map: further layers of flow noise at every pixel, which
+// stirring_layers are not.
 #include "cloud_surface.glsl"
 
 uniform vec4 layers;  // x, y: first and end of those added; z: angle of a texel of the map, rad; w: size of a texel from where they are added, pixels
@@ -10,7 +10,7 @@ void main() {
   float footprint = pixel_footprint(cloud.up, surface_from_eye, 0.12);
   float enters = 1.0 - smoothstep(0.72, 1.0, layers.w * footprint / layers.z);
   vec3 place = drifted(cloud.up, cloud_turn.xy);
-  vec3 sunward = drifted(cloud.toward, cloud_turn.xy);
+  vec3 entry = drifted(cloud_entry(cloud), cloud_turn.xy);
   uint seed = cloud_seed(planet_seed);
   float frequency = clouds_frequency * exp2(layers.x);
   float amplitude = enters * pow(clouds_persistence, layers.x) / amplitude_sum(clouds_persistence, clouds_octaves);
@@ -20,11 +20,12 @@ void main() {
   for (int i = int(layers.x); i < end; ++i) {
     float shown = layer_weight(frequency, footprint);
     if (shown <= 0.0) break;  // and so are all finer layers
-    Noise n = turned_noise(ivec3(0), frequency * place + layer_offset(i, seed), turn, layer_seed(i, seed));
+    vec3 offset = layer_offset(i, seed);
+    float here = turned_noise(ivec3(0), frequency * place + offset, turn, layer_seed(i, seed)).value;
+    float there = turned_noise(ivec3(0), frequency * entry + offset, turn, layer_seed(i, seed)).value;
     shown = max(shown - layer_weight(frequency, layers.z), 0.0);
-    cloud.noise += amplitude * shown * n.value;
-    // Beyond a third of a cell a gradient tells nothing.
-    cloud.rise += amplitude * shown * dot(n.gradient, sunward) * min(frequency * cloud.reach, 0.33);
+    cloud.noise += amplitude * shown * here;
+    cloud.rise += amplitude * shown * (there - here);
     frequency *= 2.0;
     amplitude *= clouds_persistence;
   }

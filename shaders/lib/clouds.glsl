@@ -40,6 +40,21 @@ vec3 drifted(vec3 direction, vec2 turn) {
 // Cyclones wind up so many of the coarsest layers. Finer ones, which are puffs and not weather, would only be smeared.
 const int wound_layers = 2;
 
+// So many of the coarsest layers stir those that are finer, and turn each twice as fast as the one before. Further ones
+// are puffs that ride on them: none is stirred or turns faster than those, so that they do not boil, and so that a pixel
+// can add them to what a map holds of the others.
+const int stirring_layers = 5;
+
+// How strongly a layer of clouds is stirred, as flow_place takes it. strength: how strongly the coarse ones are.
+float stirred(int layer, float strength) {
+  return layer < stirring_layers ? strength : 0.0;
+}
+
+// How fast the gradients of a layer turn, as a multiple of the coarsest one's.
+float flow_speed(int layer) {
+  return exp2(float(min(layer, stirring_layers - 1)));
+}
+
 // What tells the noise of clouds from all other noise of a planet.
 uint cloud_seed(int seed) {
   return uint(seed) + 5021u;

@@ -69,6 +69,12 @@ float layer_slope(float n, bool ridged, float sharpness) {
   return ridged ? -smooth_abs_slope(n, sharpness) : 0.5;
 }
 
+// The mean square of a layer's slope, as a part of that of its noise. Ridges are steeper by at most a twentieth and less
+// steep by at most a tenth (tests/laws/heights_test.cpp).
+float layer_slope_square(bool ridged, float sharpness) {
+  return ridged ? 1.0 / (1.0 + 2.1 * pow(max(sharpness, 1.0e-3), -2.2)) : 0.25;
+}
+
 // What a layer too fine to be shown leaves behind: its mean. 0.31 is E|n| of the noise (tests/laws/noise_test.cpp).
 float layer_mean(bool ridged) {
   return ridged ? 0.69 : 0.5;

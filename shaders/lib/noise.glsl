@@ -94,6 +94,9 @@ Simplex simplex_of(ivec3 cell, vec3 q) {
 // Scales the sum of the four corners to about -1..1 (tests/laws/noise_test.cpp measures the range).
 const float noise_scale = 38.5;
 
+// The mean square of the field's gradient along an axis, per cell (measured in tests/laws/heights_test.cpp).
+const float noise_slope_square = 2.34;
+
 Noise noise_of_corners(Noise a, Noise b, Noise c, Noise d) {
   Noise n;
   n.value = noise_scale * ((a.value + b.value) + (c.value + d.value));

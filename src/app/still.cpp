@@ -107,8 +107,10 @@ std::vector<Span> spans(int size, int largest) {
 
 Image take_picture(Renderer& renderer, const Scene& scene, const StillOptions& options) {
   Image picture(options.width, options.height, options.transparent ? 4 : 3);
-  for (const Span& rows : spans(options.height, options.largest_tile)) {
-    for (const Span& columns : spans(options.width, options.largest_tile)) {
+  // Where more pixels are drawn than are shown, of smaller parts.
+  const int largest = static_cast<int>(options.largest_tile / std::max(1.0, scene.quality.resolution_scale));
+  for (const Span& rows : spans(options.height, largest)) {
+    for (const Span& columns : spans(options.width, largest)) {
       const Image tile = take_tile(renderer, scene, options, {columns.begin, rows.begin, columns.length, rows.length});
       for (int y = rows.first; y < rows.last; ++y) {
         const float* from = tile.at(columns.first - columns.begin, y - rows.begin);

@@ -40,7 +40,7 @@ bool has_waves(const Scene& scene) { return has_water(scene) && scene.waves.coun
 
 std::span<const Knob> knobs() {
   static const std::vector<Knob> all = {
-      {"quality.resolution_scale", {0.5, 0.7, 1.0, 1.4, 2.0}},
+      {"quality.resolution_scale", {0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 4.0}},
       {"quality.pixel_error", {8.0, 4.0, 2.0, 0.75, 0.3, 0.15}},
       {"quality.antialias", {false, true}},
       {"quality.finest_layer", {8.0, 4.0, 2.0, 1.0}},

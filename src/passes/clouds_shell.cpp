@@ -207,7 +207,7 @@ void CloudsShell::bind_map(double level) { shown_->bind(gl::unit_clouds, level);
 void CloudsShell::draw(const Frame& frame) {
   gl::Program& program = draw_program_.use(frame.effort == Effort::complete);
   if (shows_fine_layers(frame.needs)) {
-    const glm::vec2 turn(turn_of_cloud_layer(frame.scene, frame.needs.cloud_octaves - 1, frame.view.seconds));
+    const glm::vec2 turn(turn_of_cloud_layer(frame.scene, f64::stirring_layers, frame.view.seconds));
     program.set("layers", static_cast<float>(frame.needs.cloud_pixel_first),
                 static_cast<float>(frame.needs.cloud_pixel_end), static_cast<float>(map_texel_angle()),
                 static_cast<float>(frame.scene.quality.cloud_texel_size));

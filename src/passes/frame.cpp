@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "planet/icosphere.hpp"
 #include "planet/materials.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -15,6 +16,13 @@ namespace terrella {
 namespace {
 
 glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dvec4(v, w)); }
+
+// How far apart samples of the ground are that a picture shows, rad: its texels or pixels, or pixels alone where those
+// add what texels can't hold.
+double finest_seen(const Frame& frame, const Maps& maps) {
+  const double pixel = frame.pose.pixel_angle * frame.pose.clearance * footprint_of_pixel(frame.scene);
+  return refines_ground(frame.needs) ? pixel : std::max(pixel, maps.ground_texel);
+}
 
 }  // namespace
 
@@ -46,7 +54,8 @@ double lowest_still_water(const Frame& frame) {
 }
 
 double map_level(const Frame& frame, double radius, double texel) {
-  const double pixel = std::abs(glm::length(frame.pose.eye) - radius) * frame.pose.pixel_angle;
+  const double pixel =
+      std::abs(glm::length(frame.pose.eye) - radius) * frame.pose.pixel_angle * footprint_of_pixel(frame.scene);
   return std::max(0.0, std::log2(std::max(pixel, 1e-12) / texel));
 }
 
@@ -79,6 +88,8 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);
   block.water_extinction = vector(water_look_of(scene).extinction);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, 0.0);
+  block.slopes = glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)),
+                           unseen_slopes(scene, icosphere_edge(needs.ground_level)), 0.0, 0.0);
   block.sky_glow = vector(light.sky_glow);
   // Points of light have their size in the picture that is shown; where fewer pixels are drawn they are as small as can
   // be, and dimmer for it.

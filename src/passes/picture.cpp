@@ -22,7 +22,13 @@ gl::Pixels pixels_of(const PictureBox& box, int width, int height, int margin) {
 
 }  // namespace
 
-void PicturePass::show(const gl::Image& light, const gl::Screen& screen, const PictureBox* smooth, bool patient) {
+void PicturePass::show(const gl::Image& drawn, const gl::Screen& screen, const PictureBox* box, bool patient) {
+  // A mean of four samples or more is smooth: to smooth it further would blur it.
+  const bool fine = drawn.width() >= 2 * screen.width && drawn.height() >= 2 * screen.height;
+  const PictureBox* smooth = fine ? nullptr : box;
+  const bool more = drawn.width() > screen.width || drawn.height() > screen.height;
+  const gl::Image& light = more ? reduced(drawn, screen) : drawn;
+  if (!more) reduced_.reset();
   settled_ = smooth == nullptr || antialias_.ready(patient);
   const bool smoothing = smooth != nullptr && settled_;
   const bool scaled = light.width() != screen.width || light.height() != screen.height;
@@ -45,6 +51,25 @@ void PicturePass::show(const gl::Image& light, const gl::Screen& screen, const P
   antialias_->use();
   antialias_->set("texel", 1.0F / static_cast<float>(image.width()), 1.0F / static_cast<float>(image.height()));
   triangle_.draw();
+}
+
+const gl::Image& PicturePass::reduced(const gl::Image& light, const gl::Screen& screen) {
+  if (reduced_ && reduced_->image().width() == screen.width && reduced_->image().height() == screen.height &&
+      reduced_->image().format() == light.format() && reduced_now_) {
+    return reduced_->image();
+  }
+  reduced_.reset();
+  reduced_ = std::make_unique<gl::Target>(screen.width, screen.height, light.format(), false);
+  if (!reduce_) reduce_ = std::make_unique<gl::Program>("picture/reduce", "picture/screen");
+  reduced_->begin();
+  light.bind(gl::unit_image);
+  reduce_->use();
+  reduce_->set("samples", static_cast<float>(light.width()) / static_cast<float>(screen.width),
+               static_cast<float>(light.height()) / static_cast<float>(screen.height));
+  triangle_.draw();
+  reduced_now_ = true;
+  developed_part_ = {};
+  return reduced_->image();
 }
 
 void PicturePass::develop(const gl::Image& light, const gl::Pixels& part) {

@@ -7,7 +7,7 @@
 namespace terrella {
 
 glm::dvec2 turn_of_cloud_layer(const Scene& scene, int layer, double seconds) {
-  return turned(std::ldexp(scene.clouds.speed, layer), seconds);
+  return turned(scene.clouds.speed * f64::flow_speed(layer), seconds);
 }
 
 Cyclones cyclones_of(const Scene& scene) {

@@ -41,7 +41,9 @@ class Decisions {
 
 // Of meshes that carry a relief. A mesh finer than level 6 is worth its triangles only to someone who asks for less
 // than a fifth of a pixel.
-int finest_relief_level(const Scene& scene) { return scene.quality.pixel_error < 0.2 ? 7 : 6; }
+int finest_relief_level(const Scene& scene) {
+  return scene.quality.pixel_error < 0.1 ? 8 : scene.quality.pixel_error < 0.2 ? 7 : 6;
+}
 
 // The coarsest icosphere that shows a sphere within an error (radii).
 int sphere_level(double allowed) {
@@ -142,13 +144,13 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
 
 // By how much (rad) the coarsest layer of clouds may turn between two pictures that are blended. Half way between two
 // gradients that are an angle apart, their mean is shorter by the cosine of half of it; layer i turns by 2^i times as
-// much as the coarsest. The angle is such that all layers together lose a part of their amplitude that is small enough
-// (quality.cloud_loss).
+// much as the coarsest (flow_speed). The angle is such that all layers together lose a part of their amplitude that is
+// small enough (quality.cloud_loss).
 double blend_turn(double persistence, int octaves, double may_be_lost) {
   const auto lost = [&](double turn) {
     double loss = 0.0, total = 0.0, amplitude = 1.0;
     for (int i = 0; i < octaves; ++i, amplitude *= persistence) {
-      loss += amplitude * (1.0 - std::cos(std::min(0.5 * std::ldexp(turn, i), 0.5 * std::numbers::pi)));
+      loss += amplitude * (1.0 - std::cos(std::min(0.5 * turn * f64::flow_speed(i), 0.5 * std::numbers::pi)));
       total += amplitude;
     }
     return loss / total;

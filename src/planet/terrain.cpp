@@ -64,6 +64,21 @@ double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direct
   return glm::length(point);
 }
 
+double unseen_slopes(const Scene& scene, double footprint) {
+  const auto& terrain = scene.terrain;
+  const double square = f64::noise_slope_square * f64::layer_slope_square(terrain.ridged, terrain.ridge_sharpness);
+  double variance = 0.0, amplitude = 1.0, frequency = terrain.frequency;
+  for (int i = 0; i < terrain.octaves; ++i) {
+    const double shown = f64::layer_weight(frequency, footprint);
+    const double steepness = amplitude * frequency;
+    variance += (1.0 - shown * shown) * steepness * steepness * square;
+    amplitude *= terrain.persistence;
+    frequency *= terrain.lacunarity;
+  }
+  const double total = f64::amplitude_sum(terrain.persistence, terrain.octaves);
+  return total > 0.0 ? std::min(variance / (total * total), 1e6) : 0.0;
+}
+
 bool has_ground(const Scene& scene) { return scene.terrain.model != 0; }
 
 bool has_ice(const Scene& scene) { return has_water(scene) && scene.water.ice_latitude < 90.0; }

@@ -24,6 +24,10 @@ double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, d
 // Radius of the flat triangle that a mesh of the given icosphere level shows at a direction.
 double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, int level);
 
+// How much slopes vary along an axis by layers that samples a footprint (rad) apart can't show: the variance, before
+// the power of heights, which multiplies slopes by height_power_slope.
+double unseen_slopes(const Scene& scene, double footprint);
+
 // Terrain is drawn only where the scene asks for it.
 bool has_ground(const Scene& scene);
 bool has_water(const Scene& scene);

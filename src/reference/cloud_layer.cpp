@@ -29,8 +29,8 @@ double CloudLayer::noise(const glm::dvec3& seen) const {
   double frequency = frequency_, amplitude = 1.0, sum = 0.0;
   int layer = 0;
   for (const glm::dvec2& turn : turns_) {
-    const glm::dvec3 place =
-        f64::flow_place(layer < f64::wound_layers ? wound : direction, frequency, warp_, warp, layer, seed_);
+    const glm::dvec3 place = f64::flow_place(layer < f64::wound_layers ? wound : direction, frequency,
+                                             f64::stirred(layer, warp_), warp, layer, seed_);
     sum += f64::flow_layer(place, amplitude * f64::layer_weight(frequency, footprint_), turn, layer, seed_, warp);
     frequency *= 2.0;
     amplitude *= persistence_;

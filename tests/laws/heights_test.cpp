@@ -244,6 +244,33 @@ TEST(Layer, SlopeIsTheDerivativeAndItsMeanIsWhatItLeavesBehind) {
   EXPECT_EQ(f64::layer_value(0.0, true, 14.0), 1.0);
 }
 
+TEST(Layer, IsAsSteepInTheMeanAsItsNoiseTells) {
+  Places places(29U);
+  constexpr int count = 100'000;
+  std::vector<f64::Noise> noises;
+  double noise_square = 0.0;
+  for (int i = 0; i < count; ++i) {
+    noises.push_back(f64::simplex_noise(glm::ivec3(0), places.in_cube(100.0), 5U));
+    noise_square += glm::dot(noises.back().gradient, noises.back().gradient) / (3.0 * count);
+  }
+  EXPECT_NEAR(noise_square, f64::noise_slope_square, 0.02);
+  const auto measured = [&](bool ridged, double sharpness) {
+    double sum = 0.0;
+    for (const f64::Noise& n : noises) {
+      const glm::dvec3 slope = f64::layer_slope(n.value, ridged, sharpness) * n.gradient;
+      sum += glm::dot(slope, slope) / (3.0 * count);
+    }
+    return sum / noise_square;
+  };
+  EXPECT_DOUBLE_EQ(measured(false, 14.0), f64::layer_slope_square(false, 14.0));
+  for (const double k : {0.5, 1.0, 2.0, 4.0, 8.0, 14.0, 30.0, 1000.0}) {
+    const double told = f64::layer_slope_square(true, k);
+    EXPECT_GT(measured(true, k), 0.95 * told) << k;
+    EXPECT_LT(measured(true, k), 1.1 * told) << k;
+  }
+  EXPECT_NEAR(f64::layer_slope_square(true, 0.0), 0.0, 1e-6);
+}
+
 TEST(SlopeNormal, IsAtRightAnglesToTheSurface) {
   Places places(28U);
   for (int i = 0; i < 1000; ++i) {
