@@ -39,6 +39,7 @@ glm::dvec3 light_of_pixel(const reference::Tracer& tracer, const glm::dvec2& cor
 void make_comparable(Scene& scene) {
   auto& quality = scene.quality;
   quality.pixel_error = std::min(quality.pixel_error, 0.2);
+  quality.finest_layer = std::min(quality.finest_layer, 8.0);
   quality.ground_texels = std::max(quality.ground_texels, 256);
   quality.cloud_texels = std::max(quality.cloud_texels, 128);
 }

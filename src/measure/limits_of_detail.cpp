@@ -112,6 +112,7 @@ Limit cloud_frequencies(Renderer& renderer) {
   start.clouds.octaves = 1;
   start.clouds.warp = start.clouds.swirl = start.clouds.belts = start.clouds.speed = 0.0;
   start.quality.cloud_texels = 128;
+  start.quality.cloud_texel_size = 64.0;  // so that pixels add nothing
   start.camera.fov = 8.0;
   return follow(
       {"clouds",

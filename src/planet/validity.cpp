@@ -86,7 +86,8 @@ void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std:
 }
 
 void judge_clouds(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
-  if (needs.clouds == Clouds::none) return;
+  const bool in_pixels = needs.cloud_pixel_end > needs.cloud_pixel_first;  // what the map can't hold
+  if (needs.clouds == Clouds::none || in_pixels) return;
   const double pixel = pose.pixel_angle * std::abs(glm::length(pose.eye) - cloud_radius(scene));
   const bool shows = scene.clouds.frequency * pixel < 0.5;
   const double most = most_cells_on_texel / texel_angle(needs.cloud_texels);
