@@ -115,19 +115,19 @@ double Session::largest_scale() const {
 }
 
 View Session::view() const {
+  const gl::Screen screen = this->screen(0);
   View view;
-  view.scale = shown().quality.resolution_scale;
-  if (document_.scene.quality.target_ms > 0.0) view.scale = std::min(view.scale, largest_scale());
-  const double resolution = scale_ * view.scale;
-  view.width = std::clamp(static_cast<int>(width_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
-  view.height = std::clamp(static_cast<int>(height_ * resolution + 0.5), 1, std::max(1, gl::caps().max_texture));
+  view.width = std::max(1, screen.width);
+  view.height = std::max(1, screen.height);
   view.seconds = seconds_;
   // Into the middle of what the panel leaves free.
   const Covered hidden = panel_shown_ ? panel_.covered() : Covered();
-  const glm::dvec2 covered = glm::dvec2(hidden.left, hidden.below) / scale_;
-  view.field = field_of(width_, height_, covered);
-  view.shift = glm::dvec2(0.5, -0.5) * covered * glm::dvec2(view.width, view.height) / glm::dvec2(width_, height_);
-  return view;
+  const glm::dvec2 covered(hidden.left, hidden.below);
+  view.field = field_of(width_, height_, covered / scale_);
+  view.shift = glm::dvec2(0.5, -0.5) * covered;
+  double scale = shown().quality.resolution_scale;
+  if (document_.scene.quality.target_ms > 0.0) scale = std::min(scale, largest_scale());
+  return drawn_at(view, scale, std::max(1, gl::caps().max_texture));
 }
 
 glm::dvec2 Session::to_pixels(glm::dvec2 points) const {

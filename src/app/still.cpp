@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/develop.hpp"
+#include "gl/caps.hpp"
 #include "gl/target.hpp"
 
 namespace terrella {
@@ -57,11 +58,7 @@ Image cut_out(Renderer& renderer, Scene scene, StillOptions options, const Tile&
 
 // As the window shows it.
 Image shown(Renderer& renderer, const Scene& scene, const StillOptions& options, const Tile& tile) {
-  View view = view_of(options, tile);
-  view.width = std::max(1, static_cast<int>(tile.width * scene.quality.resolution_scale + 0.5));
-  view.height = std::max(1, static_cast<int>(tile.height * scene.quality.resolution_scale + 0.5));
-  view.shift *= glm::dvec2(view.width, view.height) / glm::dvec2(tile.width, tile.height);
-  view.scale = scene.quality.resolution_scale;
+  const View view = drawn_at(view_of(options, tile), scene.quality.resolution_scale, gl::caps().max_texture);
   renderer.draw(scene, view, {});
   const gl::Target target(tile.width, tile.height, gl::Format::rgba8, false);
   target.begin();

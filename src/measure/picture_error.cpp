@@ -24,7 +24,7 @@ Judgement judge(const Image& picture, const DrawnGeometry& drawn, Truth& truth) 
   Judgement judgement;
   judgement.flip = truth.flip_of(picture);
   PictureError& error = judgement.error;
-  error.mean_square = mean_square_error(picture, truth.picture());
+  error.mean_square = truth.mean_square_error_of(picture);
   error.flip = mean_of(judgement.flip);
   error.visible = visible_share(picture, truth.picture());
   const int width = drawn.distance.width, height = drawn.distance.height;

@@ -3,18 +3,16 @@
 #include <algorithm>
 
 #include "app/still.hpp"
+#include "gl/caps.hpp"
 #include "gl/ledger.hpp"
 #include "measure/counters.hpp"
 
 namespace terrella {
 namespace {
 
+// Pixels along a side for each one shown, of measurements: the reference's take long, and more show nothing new.
+constexpr double largest_measured = 2.0;
 constexpr double between_frames = 1.0 / 60.0;  // s
-
-// How many pixels are drawn for so many that are shown.
-int drawn(int shown, const Scene& scene) {
-  return std::max(1, static_cast<int>(shown * scene.quality.resolution_scale + 0.5));
-}
 
 }  // namespace
 
@@ -46,22 +44,27 @@ Image Subject::pose(const Scene& scene) {
 DrawnGeometry Subject::geometry() {
   const Weighing weighing(*this);
   StillOptions options;
-  options.width = drawn(width_, scene_);
-  options.height = drawn(height_, scene_);
+  const View drawn = view(largest_measured);
+  options.width = drawn.width;
+  options.height = drawn.height;
   return {take_measurement(renderer_, scene_, options, Channel::distance),
           take_measurement(renderer_, scene_, options, Channel::normal)};
 }
 
+View Subject::view(double largest) const {
+  View shown;
+  shown.width = width_;
+  shown.height = height_;
+  shown.seconds = seconds_;
+  return drawn_at(shown, std::min(scene_.quality.resolution_scale, largest), gl::caps().max_texture);
+}
+
 double Subject::frame(Stopwatch& stopwatch) {
   const Weighing weighing(*this);
-  View view;
-  view.width = drawn(width_, scene_);
-  view.height = drawn(height_, scene_);
-  view.seconds = seconds_;
-  view.scale = scene_.quality.resolution_scale;
+  const View drawn = view();
   seconds_ += between_frames;
   return stopwatch.time([&] {
-    renderer_.draw(scene_, view, {Channel::color, Effort::live, false});
+    renderer_.draw(scene_, drawn, {Channel::color, Effort::live, false});
     renderer_.show({screen_.framebuffer(), width_, height_}, scene_.quality.antialias);
   });
 }

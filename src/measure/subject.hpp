@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "gl/target.hpp"
@@ -18,7 +19,7 @@ class Subject {
 
   // From now on draws this scene: its picture, with all that it needs made at once.
   Image pose(const Scene& scene);
-  // What that picture shows of the surface, at the size it is drawn at.
+  // What that picture shows of the surface, at the size it is drawn at or, if that is less, twice the size shown.
   DrawnGeometry geometry();
 
   // Milliseconds of one frame more, while the clock runs: drawn, and shown on a screen of its size.
@@ -30,6 +31,9 @@ class Subject {
  private:
   // Counts what is allocated as long as it lives to a subject.
   class Weighing;
+
+  // Of the pixels drawn, at most so many along a side for each one shown.
+  [[nodiscard]] View view(double largest = std::numeric_limits<double>::infinity()) const;
 
   int width_, height_;
   gl::Target screen_;

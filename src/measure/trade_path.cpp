@@ -18,10 +18,11 @@ std::string preset_of(std::size_t setting, const TradeReport& report) {
   return {};
 }
 
-std::string row(const std::string& name, const Setting& setting) {
+std::string row(const std::string& name, const Setting& setting, const Setting& own) {
   const PictureError error = setting.error();
-  return text_of("| ", name, " | ", figure(setting.ms().median), " | ", printed_number(error.psnr(), 3), " | ",
-                 percent(error.visible), " | ", printed_number(error.flip, 2), " |\n");
+  return text_of("| ", name, " | ", printed_number(setting.ms().median / own.ms().median, 2), " | ",
+                 printed_number(error.psnr(), 3), " | ", percent(error.visible), " | ", printed_number(error.flip, 2),
+                 " |\n");
 }
 
 }  // namespace
@@ -62,14 +63,15 @@ std::string path_inc(const TradeReport& report) {
 }
 
 std::string path_table(const TradeReport& report) {
-  std::string text = "| quality | ms | dB | visibly off | FLIP |\n| --- | --- | --- | --- | --- |\n";
-  text += row("the scene's own", report.settings[report.own]);
+  const Setting& own = report.settings[report.own];
+  std::string text = "| quality | time | dB | visibly off | FLIP |\n| --- | --- | --- | --- | --- |\n";
+  text += row("the scene's own", own, own);
   for (std::size_t i = 0; i < report.steps.size(); ++i) {
     const std::string_view preset = quality_path()[i].preset;
-    text += row(preset.empty() ? text_of("step ", i + 1) : std::string(preset), report.settings[report.steps[i]]);
+    text += row(preset.empty() ? text_of("step ", i + 1) : std::string(preset), report.settings[report.steps[i]], own);
   }
   if (report.steps.empty()) {
-    for (const QualityPreset& preset : report.presets) text += row(preset.name, report.settings[preset.setting]);
+    for (const QualityPreset& preset : report.presets) text += row(preset.name, report.settings[preset.setting], own);
   }
   return text;
 }

@@ -15,8 +15,8 @@ std::vector<std::size_t> walked_settings(const TradeReport& report);
 // Them as the text of src/scene/quality_path.inc.
 std::string path_inc(const TradeReport& report);
 
-// The scene's own setting and the steps of the program's path as a table in Markdown; if they were not measured, the
-// presets of the report.
+// The scene's own setting and the steps of the program's path as a table in Markdown, times as multiples of the own
+// one's; if the steps were not measured, the presets of the report.
 std::string path_table(const TradeReport& report);
 
 }  // namespace terrella

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "measure/image_error.hpp"
 #include "measure/subject.hpp"
 #include "measure/walk.hpp"
 
@@ -25,7 +24,7 @@ Offer quick_offer(Subject& subject, Stopwatch& stopwatch, const Scene& scene, co
   const double share = 1.0 / static_cast<double>(cameras.size());
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     const Image picture = subject.pose(seen_by(scene, cameras[c]));
-    offer.mean_square += share * mean_square_error(picture, truths[c].picture());
+    offer.mean_square += share * truths[c].mean_square_error_of(picture);
     offer.ms += share * quick_ms(subject, stopwatch);
   }
   return offer;

@@ -31,6 +31,9 @@ class Truth {
   // samples, are from each other. Errors that near say nothing.
   [[nodiscard]] double self_psnr() const { return self_psnr_; }
   [[nodiscard]] int samples() const { return samples_; }
+  // Of a picture beside one of endlessly many samples: what this one is off itself does not count against it, as far as
+  // that is known. Of values 0..1.
+  [[nodiscard]] double mean_square_error_of(const Image& picture) const;
   // How a picture beside this one looks, as flip has it.
   [[nodiscard]] Image flip_of(const Image& picture) const { return flip_->against(picture); }
 

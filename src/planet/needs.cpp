@@ -39,6 +39,11 @@ class Decisions {
   std::vector<Decision>& list_;
 };
 
+// How far apart samples are of what lies nearest below the eye, rad.
+double footprint_below(const Scene& scene, const Pose& pose) {
+  return pose.pixel_angle * pose.clearance * footprint_of_pixel(scene);
+}
+
 // Of meshes that carry a relief. A mesh finer than level 6 is worth its triangles only to someone who asks for less
 // than a fifth of a pixel.
 int finest_relief_level(const Scene& scene) {
@@ -71,7 +76,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("ground.texels", needs.ground_texels, "quality.ground_texels");
 
   const double texel = texel_angle(needs.ground_texels);
-  const double pixel = pose.clearance * pose.pixel_angle * footprint_of_pixel(scene);
+  const double pixel = footprint_below(scene, pose);
   const int shown = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, pixel);
   const int first = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, texel);
   const bool near_enough = pixel * scene.quality.ground_texel_size < texel && terrain.height > 0.0;
@@ -95,7 +100,7 @@ void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decision
   const auto& water = scene.water;
   const bool calm = needs.water == Water::calm;
   const bool wanted = calm && (water.ripples > 0.0 || water.crust > 0.0);  // the same noise breaks up a crust
-  const double pixel = pose.pixel_angle * pose.clearance * footprint_of_pixel(scene);
+  const double pixel = footprint_below(scene, pose);
   const bool seen = 1.0 / water.ripple_frequency > 2.0 * pixel;
   if (wanted && seen) needs.ripple_layers = ripple_layers(water.ripple_frequency, pixel);
   decide.add("water.ripples", needs.ripple_layers,
@@ -174,8 +179,7 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("clouds.level", needs.cloud_level,
              "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   needs.cloud_texels = scene.quality.cloud_texels;
-  const double footprint =
-      std::max(texel_angle(needs.cloud_texels), pose.pixel_angle * pose.clearance * footprint_of_pixel(scene));
+  const double footprint = std::max(texel_angle(needs.cloud_texels), footprint_below(scene, pose));
   needs.cloud_octaves = std::max(1, visible_octaves(clouds.frequency, 2.0, clouds.octaves, footprint));
   decide.add("clouds.octaves", needs.cloud_octaves,
              needs.cloud_octaves == clouds.octaves ? "as many as clouds.octaves asks for"

@@ -69,6 +69,15 @@ double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   return surface;
 }
 
+View drawn_at(View shown, double scale, int most) {
+  View drawn = shown;
+  drawn.scale = std::min(scale, static_cast<double>(most) / std::max(shown.width, shown.height));
+  drawn.width = std::max(1, static_cast<int>(shown.width * drawn.scale + 0.5));
+  drawn.height = std::max(1, static_cast<int>(shown.height * drawn.scale + 0.5));
+  drawn.shift *= glm::dvec2(drawn.width, drawn.height) / glm::dvec2(shown.width, shown.height);
+  return drawn;
+}
+
 Pose pose_of(const Scene& scene, const View& view) {
   const auto& camera = scene.camera;
   const glm::dvec3 down_from = direction_of(camera.latitude, camera.longitude);

@@ -23,6 +23,10 @@ struct View {
                           // less for tiles of a larger picture, more for upright windows
 };
 
+// A view of the pixels that are shown as one of those that are drawn. scale: so many along a side for each shown, > 0;
+// less where there would be more than `most` along one.
+View drawn_at(View shown, double scale, int most);
+
 struct Pose {
   glm::dvec3 eye;
   glm::dvec3 forward, right, up;  // unit
