@@ -7,12 +7,12 @@
 namespace terrella {
 namespace {
 
-// What a band is meant to take: more than a screen of 60 pictures a second waits for the next, or it would wait for it.
-constexpr double band_ms = 22.0;
+// What a band is meant to take: what a screen of 60 pictures a second waits for the next; less would wait for it.
+constexpr double band_ms = 17.0;
 constexpr double slow_ms = 25.0;       // a picture that takes longer is drawn in bands,
 constexpr double quick_ms = 18.0;      // one that takes less no more
-constexpr double shortest_ms = 13.0;   // a band may take so little
-constexpr double longest_ms = 30.0;    // or so much before their number changes
+constexpr double shortest_ms = 10.0;   // a band may take so little
+constexpr double longest_ms = 24.0;    // or so much before their number changes
 constexpr double uneven = 1.3;         // the dearest band may cost so many times the mean before borders move,
 constexpr double worth_moving = 0.85;  // if that lowers its cost to this part
 // Screens that show few pictures a second make each come late; to ask what it takes costs a little.
@@ -64,8 +64,8 @@ void Slices::decide() {
     if (all > slow_ms) part_anew(wanted);
   } else if (all < quick_ms) {
     part_anew(1);
-  } else if (each < shortest_ms || each > longest_ms) {
-    if (wanted != count_) part_anew(wanted);
+  } else if ((each < shortest_ms || each > longest_ms) && wanted != count_) {
+    part_anew(wanted);
   } else if (known_.count() == static_cast<std::size_t>(count_) && dearest() > uneven * each) {
     Slices moved = *this;
     moved.part_anew(count_);

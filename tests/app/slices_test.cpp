@@ -85,7 +85,7 @@ TEST(Slices, SlowPicturesComeInBandsThatCoverThemAndCostTheSame) {
 
 TEST(Slices, ThereAreAsManyAsLastLongEnough) {
   for (const auto& [picture, count] :
-       {std::pair{20.0, 1}, {30.0, 2}, {45.0, 2}, {66.0, 3}, {110.0, 5}, {900.0, Slices::most}}) {
+       {std::pair{20.0, 1}, {30.0, 2}, {48.0, 3}, {66.0, 4}, {85.0, 5}, {900.0, Slices::most}}) {
     Machine machine([each = picture / Slices::strips](int) { return each; });
     machine.overhead = 0.0;
     machine.draw(50);
