@@ -44,9 +44,9 @@ std::span<const Knob> knobs() {
       {"quality.pixel_error", {8.0, 4.0, 2.0, 0.75, 0.3, 0.15}},
       {"quality.antialias", {false, true}},
       {"quality.finest_layer", {8.0, 4.0, 2.0, 1.0}},
-      {"quality.ground_texels", {64, 128, 256, 512, 1024}},
+      {"quality.ground_texels", {256, 512, 1024}},
       {"quality.ground_texel_size", {64.0, 4.0, 1.7, 0.5}},
-      {"quality.cloud_texels", {64, 128, 256, 384, 768}},
+      {"quality.cloud_texels", {128, 256, 384, 768}},
       {"quality.cloud_texel_size", {64.0, 8.0, 4.0, 1.0}},
       {"quality.wave_height", {4.0, 0.5, 0.1}, has_waves},
   };
