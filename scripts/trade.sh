@@ -10,7 +10,7 @@ for preset in json.load(sys.stdin):
     print(preset["name"], preset["title"], sep="\t")
 ' | while IFS="$(printf '\t')" read -r name title; do
   if [ ! -e "$folder/$name/table.md" ]; then
-    "$program" measure --preset "$name" --path --size 240x135 --out "$folder/$name" > "$folder.log" 2>&1 < /dev/null
+    "$program" measure --preset "$name" --path --quick --out "$folder/$name" > "$folder.log" 2>&1 < /dev/null
   fi
   echo "### $title"
   echo
