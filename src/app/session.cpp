@@ -25,6 +25,7 @@ constexpr double double_click_time = 0.3;  // s
 // third more on a processor, and nobody reads hundredths of a second.
 constexpr double clock_pace = 0.5;  // s
 constexpr std::size_t frames_timed = 60;
+constexpr double longest_refinement = 1.0;  // s
 constexpr std::ptrdiff_t most_notices = 24;
 
 // camera.fov is that of the shorter side of what is free: in an upright window the planet would be twice as wide as
@@ -108,13 +109,8 @@ gl::Screen Session::screen(GLuint framebuffer) const {
   return {framebuffer, static_cast<int>(width_ * scale_ + 0.5), static_cast<int>(height_ * scale_ + 0.5)};
 }
 
-// Beyond it, more samples a pixel would take more memory than they are worth where nobody asked for them.
-double Session::largest_scale() const {
-  constexpr double most_pixels = 4096.0 * 4096.0;  // 200 MB of light and depth
-  return std::max(1.0, std::sqrt(most_pixels / (static_cast<double>(width_) * height_)) / scale_);
-}
-
-View Session::view() const {
+// Of the pixels that are shown, which is what hands move in.
+View Session::shown_view() const {
   const gl::Screen screen = this->screen(0);
   View view;
   view.width = std::max(1, screen.width);
@@ -125,15 +121,21 @@ View Session::view() const {
   const glm::dvec2 covered(hidden.left, hidden.below);
   view.field = field_of(width_, height_, covered / scale_);
   view.shift = glm::dvec2(0.5, -0.5) * covered;
-  double scale = shown().quality.resolution_scale;
-  if (document_.scene.quality.target_ms > 0.0) scale = std::min(scale, largest_scale());
+  return view;
+}
+
+// More samples a pixel than fit into memory are not drawn; where nobody asked for them, not more than are worth it.
+View Session::view_of(const Scene& scene) const {
+  const double most_pixels = scene.quality.target_ms > 0.0 ? 4096.0 * 4096.0 : 6144.0 * 6144.0;  // 12 bytes each
+  const View view = shown_view();
+  const double largest = std::sqrt(most_pixels / (static_cast<double>(view.width) * view.height));
+  const double scale = std::min(scene.quality.resolution_scale, std::max(1.0, largest));
   return drawn_at(view, scale, std::max(1, gl::caps().max_texture));
 }
 
-glm::dvec2 Session::to_pixels(glm::dvec2 points) const {
-  const View v = view();
-  return points * glm::dvec2(v.width, v.height) / glm::dvec2(width_, height_);
-}
+View Session::view() const { return view_of(shown()); }
+
+glm::dvec2 Session::to_pixels(glm::dvec2 points) const { return points * scale_; }
 
 // Frames
 
@@ -145,13 +147,14 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (made_at_ < 0.0) made_at_ = now;
   if (!renderer_) return turn;
   if (planet_stale_) {
+    leave_rest();
     // A technique that is new to the scene compiles in the background; until then the last picture stays.
     turn.progress = renderer_->prepare(shown(), view());
     turn.again = true;
     if (turn.progress < 1.0) return turn;
   }
 
-  if (camera_.tick(document_.scene, view(), elapsed)) scene_was_changed();
+  if (camera_.tick(document_.scene, shown_view(), elapsed)) scene_was_changed();
   if (elapsed > 0.0 && !keys_tapped_.empty()) {
     keys_tapped_.clear();
     update_pushes();
@@ -184,7 +187,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
   const bool clock_runs = !paused_ && renderer_->needs().moving;
   turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_ ||
-               clock_moved_ || bands_.under_way() || refines_ || quality_.will_refine(document_.scene);
+               clock_moved_ || bands_.under_way() || refines_ ||
+               (stands_still() && quality_.will_refine(document_.scene));
   at_rest_ = !turn.again;
   if (at_rest_) {  // a pause is not a slow frame
     last_drawn_.reset();
@@ -207,12 +211,19 @@ void Session::advance_clock(double elapsed) {
   if (renderer_->needs().moving) clock_moved_ = true;
 }
 
+// Nothing changes by itself, whatever the quality: coarse waves may be too small to be drawn as such, and rest.
+bool Session::stands_still() const { return paused_ || !may_move(shown()); }
+
+void Session::leave_rest() {
+  quality_.moved();
+  refines_ = false;
+}
+
 // A planet that rests is drawn as well as can be, and one that moves as fast as is asked.
 void Session::choose_quality(double now) {
   if (planet_stale_ || clock_moved_ || bands_.under_way() || camera_.moving() || hand_is_busy()) {
-    quality_.moved();
-    refines_ = false;
-  } else if (renderer_->settled() && quality_.rested(now, document_.scene)) {
+    leave_rest();
+  } else if (stands_still() && renderer_->settled() && quality_.rested(now, document_.scene)) {
     refines_ = true;
   }
   // What is shown stays until the programs are there.
@@ -270,8 +281,14 @@ void Session::note_frame_time(double now) { note_interval(last_drawn_, now, fram
 
 void Session::note_picture_time(double now) {
   if (++frames_ == 1) first_frame_ms_ = 1000.0 * (now - made_at_);
-  // What refines the ground, or a hand that holds it coarse, makes no common picture.
-  if (last_shown_ && renderer_->settled() && !hand_on_value_) {
+  // What refines the ground, or a hand that holds it coarse, makes no common picture; unless it goes on and on.
+  if (renderer_->settled()) {
+    unsettled_since_.reset();
+  } else if (!unsettled_since_) {
+    unsettled_since_ = now;
+  }
+  const bool common = !unsettled_since_ || now - *unsettled_since_ > longest_refinement;
+  if (last_shown_ && common && !hand_on_value_) {
     quality_.note(now, 1000.0 * (now - *last_shown_), document_.scene);
   } else {
     quality_.interrupt();
@@ -466,13 +483,22 @@ void Session::copy_failed() {
       {"Nothing was copied: the browser keeps its clipboard from this page. Save writes the scene into a file."});
 }
 
+// What holds the time of a frame is not for a picture that is kept: it may take its time.
+Scene Session::as_kept() const {
+  const Scene& scene = document_.scene;
+  return scene.quality.target_ms > 0.0 ? with_quality(scene, quality_path().back()) : scene;
+}
+
 void Session::render_at(double seconds, GLuint framebuffer) {
   if (!renderer_) return;
   seconds_ = seconds;
   bands_.drop();
-  renderer_->draw(shown(), view(), {});
+  const Scene scene = as_kept();
+  renderer_->draw(scene, view_of(scene), {});
   ++frames_;
-  renderer_->show(screen(framebuffer), shown().quality.antialias);
+  last_drawn_.reset();
+  last_shown_.reset();
+  renderer_->show(screen(framebuffer), scene.quality.antialias);
   planet_stale_ = clock_moved_ = false;
   panel_frames_ = 2;
   unsigned char pixel[4];
@@ -487,9 +513,7 @@ Image Session::picture(int width, int height, bool transparent) {
   options.seconds = seconds_;
   options.field = field_of(width, height);
   options.transparent = transparent;
-  const Scene& scene = document_.scene;
-  const bool held = scene.quality.target_ms > 0.0;  // of frames; a picture that is kept may take its time
-  return take_picture(*renderer_, held ? with_quality(scene, quality_path().back()) : scene, options);
+  return take_picture(*renderer_, as_kept(), options);
 }
 
 std::string Session::stats() const {

@@ -122,13 +122,16 @@ class Session {
   bool lead_into_panel();
   void share_clipboard();
   void hand_on_typed_ahead();
-  double largest_scale() const;
+  View shown_view() const;
+  View view_of(const Scene& scene) const;
+  // Of the pixels that are drawn.
   View view() const;
   // The window or canvas, in its own pixels.
   gl::Screen screen(GLuint framebuffer) const;
   // What is drawn: the scene or, while comparing, the planet as it was opened, seen from where the camera is now; with
   // the quality that holds its target.
   Scene shown() const;
+  Scene as_kept() const;
   void compare(bool wanted);
   void surprise();
   void scene_was_changed();
@@ -142,6 +145,8 @@ class Session {
   void obey(const PanelWishes& wishes);
   void keep_habits();
   void advance_clock(double seconds);
+  bool stands_still() const;
+  void leave_rest();
   void choose_quality(double now);
   bool is_finer();
   void draw_planet(double now);
@@ -195,8 +200,9 @@ class Session {
   bool planet_stale_ = true;  // the scene, the size or the place in time has changed since it was drawn
   bool clock_moved_ = false;  // or the clock has run on
   PictureInBands bands_;
-  bool refines_ = false;  // a finer picture waits for its programs
-  int panel_frames_ = 3;  // frames that the panel still needs to settle after an event
+  std::optional<double> unsettled_since_;  // s
+  bool refines_ = false;                   // a finer picture waits for its programs
+  int panel_frames_ = 3;                   // frames that the panel still needs to settle after an event
   double now_ = 0.0;
   double last_elapsed_ = 0.0;  // s that the last frame came after the one before it; 0 after a rest
   double panel_ran_ = 0.0;     // s, by a clock of its own: between frames there may be long rests

@@ -21,8 +21,8 @@ void Session::pointer_moved(double x, double y) {
   pointer_ = {x, y};
   imgui_input::move(x * scale_, y * scale_);
   panel_frames_ = std::max(panel_frames_, 2);
-  if (drag_ == Drag::turn) camera_.drag(document_.scene, view(), moved);
-  if (drag_ == Drag::look) camera_.look(document_.scene, view(), moved);
+  if (drag_ == Drag::turn) camera_.drag(document_.scene, shown_view(), moved);
+  if (drag_ == Drag::look) camera_.look(document_.scene, shown_view(), moved);
   if (drag_ != Drag::none) {
     last_drag_time_ = now_;
     scene_was_changed();
@@ -77,9 +77,9 @@ void Session::pinch(double factor, double twist, double dx, double dy, double x,
   drag_ = Drag::none;
   const glm::dvec2 middle = to_pixels({x, y});
   if (std::isfinite(factor) && factor > 0.0)
-    camera_.zoom_now(document_.scene, view(), std::clamp(factor, 0.2, 5.0), middle);
+    camera_.zoom_now(document_.scene, shown_view(), std::clamp(factor, 0.2, 5.0), middle);
   if (std::isfinite(twist)) camera_.roll(document_.scene, twist);
-  camera_.look(document_.scene, view(), to_pixels({dx, dy}));
+  camera_.look(document_.scene, shown_view(), to_pixels({dx, dy}));
   scene_was_changed();
 }
 
@@ -152,6 +152,7 @@ void Session::surprise() {
 Scene Session::shown() const {
   if (!comparing_) return quality_.drawn(document_.scene);
   Scene scene = opened_.scene;
+  scene.quality.target_ms = document_.scene.quality.target_ms;
   scene.camera = document_.scene.camera;
   scene.camera.altitude *= scene.planet.radius / document_.scene.planet.radius;
   return quality_.drawn(scene);

@@ -1,5 +1,7 @@
 #include "passes/night_lights.hpp"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "formulas/formulas.hpp"
@@ -13,7 +15,9 @@ void NightLights::update(const Frame& frame) {
   const Key key = {{scene.planet, scene.terrain, water_level(scene), scene.water.ice_latitude, scene.lights.density,
                     scene.lights.seed},
                    frame.needs.ground_level};
-  settled_ = key_ == key;
+  // From one fineness of the ground to another lights move by less than is seen, and to find them takes long.
+  const bool exactly = frame.effort == Effort::complete;
+  settled_ = key_ && key_->places == key.places && (!exactly || key_->ground_level == key.ground_level);
   const bool changing = wanted_ != key;
   wanted_ = key;
   // The search takes longer than a frame: it waits until the ground has stood still for one.
@@ -32,10 +36,11 @@ void NightLights::draw(const Frame& frame) {
   const glm::vec3 eye(frame.pose.eye), sun(direction_of(frame.scene.sun.latitude, frame.scene.sun.longitude));
   const auto sides = sides_of(frame.pose, frame.view, frame.rows, margin_of_rows(frame));
   const glm::vec3 low(sides[0]), high(sides[1]);
+  constexpr float widest = 0.0035F;  // half of a light's square, radii: twice town_light's radius, and some
   Chosen chosen;
   for (std::uint32_t i = 0; i < found_.lights.size(); ++i) {
     const glm::vec3& place = found_.lights[i].position;
-    const bool in_rows = glm::dot(low, place - eye) >= 0.0F && glm::dot(high, place - eye) >= 0.0F;
+    const bool in_rows = std::min(glm::dot(low, place - eye), glm::dot(high, place - eye)) >= -widest;
     if (in_rows && glm::dot(place, sun) < f32::lights_on && glm::dot(place, eye - place) > 0.0F) chosen.push_back(i);
   }
   program_->use();

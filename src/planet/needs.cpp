@@ -288,6 +288,14 @@ int ground_level(const Scene& scene) {
   return finest;
 }
 
+bool may_move(const Scene& scene) {
+  if (scene.time.speed == 0.0) return false;
+  const bool clouds = has_clouds(scene) && (scene.clouds.drift != 0.0 || scene.clouds.speed > 0.0);
+  const bool waves = has_water(scene) && scene.waves.count > 0 && scene.waves.speed > 0.0;
+  const bool ripples = has_water(scene) && scene.water.ripple_speed > 0.0;
+  return clouds || waves || ripples;
+}
+
 Needs needs_of(const Scene& scene, const View& view, const Pose& pose) {
   Needs needs;
   Decisions decide(needs.decisions);

@@ -80,6 +80,9 @@ double texel_angle(int texels);
 // The icosphere level that the ground settles on.
 int ground_level(const Scene& scene);
 
+// Whether a picture of the scene can change with time, however finely it is drawn.
+bool may_move(const Scene& scene);
+
 Needs needs_of(const Scene& scene, const View& view, const Pose& pose);
 
 }  // namespace terrella

@@ -552,5 +552,34 @@ TEST_F(SessionTest, APictureThatIsKeptIsDrawnAtItsFinest) {
   EXPECT_EQ(session.picture(64, 36).pixels, as_set.pixels);
 }
 
+// Hands move in the pixels that are shown, however many are drawn.
+TEST_F(SessionTest, TheWheelLeadsToTheSamePlaceWhateverTheQuality) {
+  const auto zoomed = [&](const char* target) {
+    session.load_link("preset=moon");
+    session.set("quality.target_ms", target);
+    settle();
+    session.pointer_moved(60.0, 20.0);
+    session.wheel(3.0);
+    settle();
+    return session.document().scene.camera;
+  };
+  const auto plain = zoomed("0"), held = zoomed("16");
+  EXPECT_LT(plain.altitude, SceneDocument{}.scene.camera.altitude);
+  EXPECT_NEAR(held.altitude, plain.altitude, 1e-6 * plain.altitude);
+  EXPECT_NEAR(held.latitude, plain.latitude, 1e-6);
+  EXPECT_NEAR(held.longitude, plain.longitude, 1e-6);
+}
+
+// From so far, coarse pixels show no ripples, so that nothing moves; the finest would show them, and move.
+TEST_F(SessionTest, DoesNotGoToAndFroBetweenAQualityThatMovesAndOneThatRests) {
+  session.load_link("clouds.model=none&camera.altitude=9&quality.target_ms=16");
+  session.set_paused(false);
+  for (int i = 0; i < 200; ++i) {
+    frames(1);
+    const auto quality = nlohmann::json::parse(session.stats()).at("quality");
+    ASSERT_LT(quality.at("step").get<std::size_t>() + 1, quality.at("steps").get<std::size_t>()) << i;
+  }
+}
+
 }  // namespace
 }  // namespace terrella
