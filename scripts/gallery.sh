@@ -8,11 +8,7 @@ mkdir -p "$pictures"
   echo "# The presets"
   echo
   echo "Each drawn by \`make gallery\` (\`terrella render --preset NAME --time 20\`)."
-  "$program" presets --json | python3 -c '
-import json, sys
-for preset in json.load(sys.stdin):
-    print(preset["name"], preset["title"], sep="\t")
-' | while IFS="$(printf '\t')" read -r name title; do
+  "$(dirname "$0")/preset_titles.sh" "$program" | while IFS="$(printf '\t')" read -r name title; do
     "$program" render --preset "$name" --time 20 --size 480x270 --out "$pictures/$name.png"
     echo
     echo "## $title"

@@ -4,11 +4,7 @@
 set -eu
 program=$1
 folder=$2
-"$program" presets --json | python3 -c '
-import json, sys
-for preset in json.load(sys.stdin):
-    print(preset["name"], preset["title"], sep="\t")
-' | while IFS="$(printf '\t')" read -r name title; do
+"$(dirname "$0")/preset_titles.sh" "$program" | while IFS="$(printf '\t')" read -r name title; do
   if [ ! -e "$folder/$name/table.md" ]; then
     "$program" measure --preset "$name" --path --quick --out "$folder/$name" > "$folder.log" 2>&1 < /dev/null
   fi

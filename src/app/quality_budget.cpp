@@ -42,11 +42,11 @@ void QualityBudget::note(double now, double ms, double target) {
   const double mean = mean_of(latest);
   if (mean < 0.8 * floor_) floor_ = 0.0;
   judge_change(mean);
-  const double most = too_long * std::max(target, 1.05 * floor_);
+  const double held = std::max(target, 1.05 * floor_), most = too_long * held;
   // A browser's frames come in bursts, so that the mean counts; but a single late one has reasons of its own.
   const auto late = std::count_if(latest.begin(), latest.end(), [&](double time) { return time > most; });
-  if (mean > most && late >= 2) return fall(now, mean, most / too_long);
-  if (elapsed >= time_to_rise) rise(now, mean_of(times_), most / too_long);
+  if (mean > most && late >= 2) return fall(now, mean, held);
+  if (elapsed >= time_to_rise) rise(now, mean_of(times_), held);
   if (elapsed >= 2.0 * time_to_probe) times_.clear();  // what was long ago tells little
 }
 

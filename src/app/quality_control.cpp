@@ -19,7 +19,7 @@ QualityBudget QualityControl::make_budget() {
 }
 
 const QualityStep* QualityControl::step_for(const Scene& scene) const {
-  if (scene.quality.target_ms == 0.0) return nullptr;
+  if (!holds_time(scene)) return nullptr;
   return at_rest_ ? &quality_path().back() : &quality_path()[static_cast<std::size_t>(budget_.step())];
 }
 
@@ -28,9 +28,9 @@ Scene QualityControl::drawn(Scene scene) const {
   return step == nullptr ? std::move(scene) : with_quality(std::move(scene), *step);
 }
 
-bool QualityControl::moved() {
+void QualityControl::moved() {
   rests_since_.reset();
-  return std::exchange(at_rest_, false);
+  at_rest_ = false;
 }
 
 bool QualityControl::rested(double now, const Scene& scene) {
@@ -41,7 +41,7 @@ bool QualityControl::rested(double now, const Scene& scene) {
 }
 
 void QualityControl::note(double now, double ms, const Scene& scene) {
-  if (scene.quality.target_ms > 0.0 && !at_rest_) budget_.note(now, ms, scene.quality.target_ms);
+  if (will_refine(scene)) budget_.note(now, ms, scene.quality.target_ms);
 }
 
 }  // namespace terrella

@@ -17,12 +17,12 @@ class QualityControl {
   // The scene with the settings of that step.
   [[nodiscard]] Scene drawn(Scene scene) const;
 
-  // Something has changed, so that the planet must be drawn anew. Returns whether its quality has changed as well.
-  bool moved();
+  // Something has changed, so that the planet must be drawn anew.
+  void moved();
   // Nothing has. now: s of a steady clock. Returns whether the planet is to be drawn anew, at its finest.
   bool rested(double now, const Scene& scene);
   // Whether that is still to come.
-  [[nodiscard]] bool will_refine(const Scene& scene) const { return scene.quality.target_ms > 0.0 && !at_rest_; }
+  [[nodiscard]] bool will_refine(const Scene& scene) const { return holds_time(scene) && !at_rest_; }
 
   // A frame of the planet took so long, ms, as frames do while it moves. now: as above.
   void note(double now, double ms, const Scene& scene);

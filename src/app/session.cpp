@@ -126,7 +126,7 @@ View Session::shown_view() const {
 
 // More samples a pixel than fit into memory are not drawn; where nobody asked for them, not more than are worth it.
 View Session::view_of(const Scene& scene) const {
-  const double most_pixels = scene.quality.target_ms > 0.0 ? 4096.0 * 4096.0 : 6144.0 * 6144.0;  // 12 bytes each
+  const double most_pixels = holds_time(scene) ? 4096.0 * 4096.0 : 6144.0 * 6144.0;  // 12 bytes each
   const View view = shown_view();
   const double largest = std::sqrt(most_pixels / (static_cast<double>(view.width) * view.height));
   const double scale = std::min(scene.quality.resolution_scale, std::max(1.0, largest));
@@ -175,8 +175,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   } else if (clock_moved_ || bands_.under_way()) {
     turn.drawn = draw_for_the_clock(now);
   } else {
-    last_drawn_.reset();  // what comes next follows on no frame of the planet
-    last_shown_.reset();
+    forget_intervals();  // what comes next follows on no frame of the planet
     turn.drawn = panel_wanted || panel_frames_ > 0;
   }
   if (turn.drawn) {
@@ -190,10 +189,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
                clock_moved_ || bands_.under_way() || refines_ ||
                (stands_still() && quality_.will_refine(document_.scene));
   at_rest_ = !turn.again;
-  if (at_rest_) {  // a pause is not a slow frame
-    last_drawn_.reset();
-    last_shown_.reset();
-  }
+  if (at_rest_) forget_intervals();  // a pause is not a slow frame
   return turn;
 }
 
@@ -248,8 +244,9 @@ void Session::draw_planet(double now) {
 }
 
 bool Session::is_watched() const {
-  const bool held = document_.scene.quality.target_ms > 0.0;  // by giving up quality, not pictures
-  return held || panel_frames_ > 0 || hand_is_busy() || camera_.moving() || !renderer_->settled();
+  // Where time is held, quality is given up, not pictures.
+  return holds_time(document_.scene) || panel_frames_ > 0 || hand_is_busy() || camera_.moving() ||
+         !renderer_->settled();
 }
 
 bool Session::draw_for_the_clock(double now) {
@@ -275,6 +272,11 @@ bool Session::draw_for_the_clock(double now) {
     note_picture_time(now);
   }
   return show;
+}
+
+void Session::forget_intervals() {
+  last_drawn_.reset();
+  last_shown_.reset();
 }
 
 void Session::note_frame_time(double now) { note_interval(last_drawn_, now, frame_ms_); }
@@ -486,7 +488,7 @@ void Session::copy_failed() {
 // What holds the time of a frame is not for a picture that is kept: it may take its time.
 Scene Session::as_kept() const {
   const Scene& scene = document_.scene;
-  return scene.quality.target_ms > 0.0 ? with_quality(scene, quality_path().back()) : scene;
+  return holds_time(scene) ? with_quality(scene, quality_path().back()) : scene;
 }
 
 void Session::render_at(double seconds, GLuint framebuffer) {
@@ -496,8 +498,7 @@ void Session::render_at(double seconds, GLuint framebuffer) {
   const Scene scene = as_kept();
   renderer_->draw(scene, view_of(scene), {});
   ++frames_;
-  last_drawn_.reset();
-  last_shown_.reset();
+  forget_intervals();
   renderer_->show(screen(framebuffer), scene.quality.antialias);
   planet_stale_ = clock_moved_ = false;
   panel_frames_ = 2;

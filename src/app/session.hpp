@@ -157,6 +157,7 @@ class Session {
   void draw_preset_picture();
   void note_frame_time(double now);
   void note_picture_time(double now);
+  void forget_intervals();
   PanelFacts facts() const;
   // Sentences about what of the scene lies beyond the range in which its technique holds.
   std::vector<std::string> beyond() const;

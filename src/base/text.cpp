@@ -124,6 +124,12 @@ std::string in_words(std::string_view name) {
   return words;
 }
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list += text_of(list.empty() ? "" : ", ", name);
+  return list;
+}
+
 std::string json_quoted(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,9 @@ std::string shortened(std::string_view text, std::size_t max_length = 40);
 
 // A name as one says it: "ridge_sharpness" as "ridge sharpness".
 std::string in_words(std::string_view name);
+
+// "fast, balanced, high"
+std::string listed(std::span<const std::string_view> names);
 
 // The text in double quotes, escaped as JSON asks. The text must be UTF-8.
 std::string json_quoted(std::string_view text);

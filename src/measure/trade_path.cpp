@@ -43,13 +43,11 @@ std::vector<std::size_t> walked_settings(const TradeReport& report) {
 
 std::string path_inc(const TradeReport& report) {
   std::string text = text_of(
-      "// The path of quality, from the cheapest step to the most accurate: path.inc of `terrella measure`. Measured "
-      "by ",
-      report.machine.renderer, " at ", report.plan.width, "x", report.plan.height, ", from ", report.cameras.size(),
-      " cameras, with the preset ", report.document.preset,
-      ".\n// STEP(name as a preset of quality or \"\", time of a frame as a multiple of the first step's, dB against "
-      "the "
-      "reference,\n// part of the pixels visibly off, what differs from the program's defaults)\n");
+      "// The path of quality, from the cheapest step to the most accurate: path.inc of `terrella measure`. ",
+      "Measured by ", report.machine.renderer, " at ", report.plan.width, "x", report.plan.height, ", from ",
+      report.cameras.size(), " cameras, with the preset ", report.document.preset, ".\n",
+      "// STEP(name as a preset of quality or \"\", time of a frame as a multiple of the first step's, dB against the ",
+      "reference,\n", "// part of the pixels visibly off, what differs from the program's defaults)\n");
   const std::vector<std::size_t> steps = walked_settings(report);
   for (const std::size_t i : steps) {
     const Setting& setting = report.settings[i];

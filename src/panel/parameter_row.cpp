@@ -24,6 +24,13 @@ constexpr float narrowest_seed = 60.0F;    // points; narrower, its six digits d
 constexpr float picker_width = 220.0F;     // points: for fingers, too, it leaves the planet in sight
 constexpr double widest_slider = 5000;     // of whole numbers; beyond, a pixel would skip too many
 
+// "ridge_sharpness" as "Ridge sharpness"
+std::string label_of(const Parameter& parameter) {
+  std::string label = in_words(parameter.name);
+  if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+  return label;
+}
+
 double number_of(const Sheet& sheet, const Parameter& parameter) {
   const Value value = parameter.get(sheet.document.scene);
   const auto* whole = std::get_if<int>(&value);
@@ -187,12 +194,6 @@ void explain(const Sheet& sheet, const Parameter& parameter, bool differs) {
 }
 
 }  // namespace
-
-std::string label_of(const Parameter& parameter) {
-  std::string label = in_words(parameter.name);
-  if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
-  return label;
-}
 
 float row_label(const std::string& text) {
   const float room = ImGui::GetContentRegionAvail().x - points(label_width);

@@ -10,9 +10,6 @@ namespace terrella {
 // What stands at the left of a row; what is drawn next stands beside it. Returns the width left for it, pixels.
 float row_label(const std::string& text);
 
-// As the panel writes a parameter's name: "Ridge sharpness".
-std::string label_of(const Parameter& parameter);
-
 void parameter_row(Sheet& sheet, const Parameter& parameter);
 
 }  // namespace terrella

@@ -22,7 +22,7 @@ std::string how_wrong(const QualityStep& step) {
 }
 
 std::string chosen(const Scene& scene) {
-  if (scene.quality.target_ms > 0.0) return "automatic";
+  if (holds_time(scene)) return "automatic";
   for (const QualityStep& step : quality_path()) {
     if (!step.preset.empty() && has_quality(scene, step)) return std::string(step.preset);
   }
@@ -57,7 +57,7 @@ void preset_list(Sheet& sheet) {
   ImGui::EndCombo();
 }
 
-// "Resolution scale 0.7 (2), antialias false (true)"
+// "resolution scale 0.7 (2), antialias false (true)"
 std::string given_up(const QualityStep& step, const QualityStep& best) {
   const Scene drawn = with_quality({}, step), finest = with_quality({}, best);
   std::string list;

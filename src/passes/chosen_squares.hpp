@@ -31,7 +31,7 @@ class ChosenSquares {
 
  private:
   gl::Squares squares_;
-  KeptBuffer<float> parts_;
+  KeptParts<float> parts_;
 };
 
 }  // namespace terrella

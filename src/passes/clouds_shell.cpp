@@ -80,16 +80,15 @@ void CloudsShell::update(const Frame& frame) {
   }
 
   const Instant now = instant_of(frame.view.seconds, fineness.interval);
-  const int pair = fineness.interval > 0.0 ? 2 : 1;
   const int all_rows = CubeBake::rows(fineness.texels);
   if (frame.effort == Effort::complete || (fine_.holds(now.step) && job_step_ == now.step + 1)) {
     // What is missing is made at once: all of it, or the rest of the step that time has caught up with.
-    while (advance(frame, now.step, pair, all_rows)) {
+    while (advance(frame, now.step, fineness.blended(), all_rows)) {
     }
   }
   const std::optional<glm::dvec3> moments = fine_.moments_at(frame.view.seconds);
   if (!moments) return stand_in(frame);
-  if (pair == 2 && frame.effort == Effort::live) {
+  if (fineness.blended() == 2 && frame.effort == Effort::live) {
     // The next step keeps pace with the blend between these two.
     const auto due = static_cast<int>((now.blend + 0.1) * all_rows);
     const int done = job_step_ == now.step + 2 ? job_.rows_done() : 0;
@@ -105,7 +104,7 @@ void CloudsShell::stand_in(const Frame& frame) {
   const double interval = fine_.fineness.interval;
   if (frame.effort == Effort::live && (coarse_ || former_.map)) {
     const std::int64_t step = instant_of(frame.view.seconds, interval).step;
-    advance(frame, step, interval > 0.0 ? 2 : 1, hasty_rows(frame, interval));
+    advance(frame, step, fine_.fineness.blended(), hasty_rows(frame, interval));
   }
   std::optional<glm::dvec3> moments = former_.moments_at(frame.view.seconds);
   if (!moments) moments = former_.moments_near(frame.view.seconds);
@@ -128,7 +127,7 @@ bool CloudsShell::Map::holds(std::int64_t step) const {
 
 std::optional<glm::dvec3> CloudsShell::Map::moments_at(double seconds) const {
   const Instant instant = instant_of(seconds, fineness.interval);
-  const std::int64_t next = instant.step + (fineness.interval > 0.0 ? 1 : 0);
+  const std::int64_t next = instant.step + fineness.blended() - 1;
   if (!holds(instant.step) || !holds(next)) return std::nullopt;
   glm::dvec3 moments(0.0);
   moments[channel_of(instant.step)] += 1.0 - instant.blend;

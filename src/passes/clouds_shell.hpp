@@ -49,6 +49,9 @@ class CloudsShell {
   struct Fineness {
     int octaves = 0, texels = 0;
     double interval = 0.0;  // between steps, s; 0: there is but one
+
+    // How many steps make up a time.
+    [[nodiscard]] int blended() const { return interval > 0.0 ? 2 : 1; }
     bool operator==(const Fineness&) const = default;
   };
   struct Map {

@@ -20,7 +20,7 @@ glm::vec4 vector(const glm::dvec3& v, double w = 0.0) { return glm::vec4(glm::dv
 // How far apart samples of the ground are that a picture shows, rad: its texels or pixels, or pixels alone where those
 // add what texels can't hold.
 double finest_seen(const Frame& frame, const Maps& maps) {
-  const double pixel = frame.pose.pixel_angle * frame.pose.clearance * footprint_of_pixel(frame.scene);
+  const double pixel = footprint_below(frame.scene, frame.pose);
   return refines_ground(frame.needs) ? pixel : std::max(pixel, maps.ground_texel);
 }
 

@@ -25,9 +25,9 @@ class GroupedMesh {
  private:
   gl::Mesh mesh_;
   GroupedTriangles triangles_;
-  std::vector<float> radii_;         // of the vertices
-  KeptBuffer<std::uint32_t> parts_;  // of groups
-  double lowest_ = 0.0;              // what was left out of them
+  std::vector<float> radii_;        // of the vertices
+  KeptParts<std::uint32_t> parts_;  // of groups
+  double lowest_ = 0.0;             // what was left out of them
 };
 
 }  // namespace terrella

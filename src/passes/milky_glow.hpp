@@ -29,7 +29,7 @@ class MilkyGlow {
   gl::LateProgram program_{"stars/glow"};
   BandGlow glow_;
   std::vector<glm::vec3> directions_;  // of its vertices, unit
-  KeptBuffer<std::uint32_t> parts_;
+  KeptParts<std::uint32_t> parts_;
   std::optional<gl::Mesh> mesh_;  // none where there is no band
 };
 

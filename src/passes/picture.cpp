@@ -54,12 +54,13 @@ void PicturePass::show(const gl::Image& drawn, const gl::Screen& screen, const P
 }
 
 const gl::Image& PicturePass::reduced(const gl::Image& light, const gl::Screen& screen) {
-  if (reduced_ && reduced_->image().width() == screen.width && reduced_->image().height() == screen.height &&
-      reduced_->image().format() == light.format() && reduced_now_) {
-    return reduced_->image();
+  const bool fits = reduced_ && reduced_->image().width() == screen.width &&
+                    reduced_->image().height() == screen.height && reduced_->image().format() == light.format();
+  if (fits && reduced_now_) return reduced_->image();
+  if (!fits) {
+    reduced_.reset();
+    reduced_ = std::make_unique<gl::Target>(screen.width, screen.height, light.format(), false);
   }
-  reduced_.reset();
-  reduced_ = std::make_unique<gl::Target>(screen.width, screen.height, light.format(), false);
   if (!reduce_) reduce_ = std::make_unique<gl::Program>("picture/reduce", "picture/screen");
   reduced_->begin();
   light.bind(gl::unit_image);

@@ -39,9 +39,8 @@ class Decisions {
   std::vector<Decision>& list_;
 };
 
-// How far apart samples are of what lies nearest below the eye, rad.
-double footprint_below(const Scene& scene, const Pose& pose) {
-  return pose.pixel_angle * pose.clearance * footprint_of_pixel(scene);
+bool clouds_move(const Scene& scene) {
+  return has_clouds(scene) && (scene.clouds.drift != 0.0 || scene.clouds.speed > 0.0);
 }
 
 // Of meshes that carry a relief. A mesh finer than level 6 is worth its triangles only to someone who asks for less
@@ -252,10 +251,9 @@ void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
 
 bool anything_moves(const Needs& needs, const Scene& scene) {
   if (scene.time.speed == 0.0) return false;
-  const bool clouds = needs.clouds != Clouds::none && (scene.clouds.drift != 0.0 || needs.cloud_interval > 0.0);
   const bool waves = needs.water == Water::waves && scene.waves.speed > 0.0;
   const bool ripples = needs.ripple_layers > 0 && scene.water.ripple_speed > 0.0;
-  return clouds || waves || ripples;
+  return clouds_move(scene) || waves || ripples;
 }
 
 }  // namespace
@@ -288,12 +286,15 @@ int ground_level(const Scene& scene) {
   return finest;
 }
 
+double footprint_below(const Scene& scene, const Pose& pose) {
+  return pose.pixel_angle * pose.clearance * footprint_of_pixel(scene);
+}
+
 bool may_move(const Scene& scene) {
   if (scene.time.speed == 0.0) return false;
-  const bool clouds = has_clouds(scene) && (scene.clouds.drift != 0.0 || scene.clouds.speed > 0.0);
   const bool waves = has_water(scene) && scene.waves.count > 0 && scene.waves.speed > 0.0;
   const bool ripples = has_water(scene) && scene.water.ripple_speed > 0.0;
-  return clouds || waves || ripples;
+  return clouds_move(scene) || waves || ripples;
 }
 
 Needs needs_of(const Scene& scene, const View& view, const Pose& pose) {

@@ -74,6 +74,9 @@ inline bool refines_ground(const Needs& needs) { return needs.pixel_octaves_end 
 // out.
 inline double footprint_of_pixel(const Scene& scene) { return 0.5 * scene.quality.finest_layer; }
 
+// The same of what lies nearest below the eye, rad.
+double footprint_below(const Scene& scene, const Pose& pose);
+
 // Distance of neighbouring texels in the middle of a cube map's face, rad.
 double texel_angle(int texels);
 

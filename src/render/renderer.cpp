@@ -39,8 +39,6 @@ int reads_a_pixel(const Needs& needs, const Scene& scene) {
 // To fit a pixel of light to the screen, and to look whether it and its neighbours are an edge.
 constexpr int reads_to_show = 1, reads_to_smooth = 5;
 
-constexpr int slots_that_settle = 4;
-
 // Without water, heights count from the sphere.
 Scene scene_as_drawn(Scene scene, const Needs& needs) {
   scene.water.level = water_level(scene);
@@ -175,7 +173,7 @@ void Renderer::draw_rows(const Rows& rows) {
 }
 
 bool Renderer::refine(const Scene& scene, const View& view) {
-  const int before = settled_slots();
+  const std::bitset<4> before = settled_slots();
   const Sea sea = make_sea(scene, view.seconds);
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
   update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live, {0, view.height}});
@@ -257,13 +255,16 @@ void Renderer::show(const gl::Screen& screen, bool antialias) {
 
 bool Renderer::whole() const { return (!stars_ || stars_->settled()) && picture_.settled(); }
 
-int Renderer::settled_slots() const {
-  const bool settled[] = {!night_ || night_->settled(), !sun_ || sun_->settled(), !ground_ || ground_->settled(),
-                          !clouds_ || clouds_->settled()};
-  return static_cast<int>(std::count(std::begin(settled), std::end(settled), true));
+std::bitset<4> Renderer::settled_slots() const {
+  std::bitset<4> settled;
+  settled[0] = !night_ || night_->settled();
+  settled[1] = !sun_ || sun_->settled();
+  settled[2] = !ground_ || ground_->settled();
+  settled[3] = !clouds_ || clouds_->settled();
+  return settled;
 }
 
-bool Renderer::settled() const { return whole() && settled_slots() == slots_that_settle; }
+bool Renderer::settled() const { return whole() && settled_slots().all(); }
 
 RenderStats Renderer::stats() const {
   RenderStats stats;

@@ -1,6 +1,7 @@
 // Draws a scene. Everything it holds is rebuilt from the scene, so that a lost context costs only time: make a new one.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -80,8 +81,8 @@ class Renderer {
  private:
   // Builds what the needs call for.
   void choose_techniques();
-  // How many slots lack nothing.
-  [[nodiscard]] int settled_slots() const;
+  // Which of the slots that refine what they show lack nothing.
+  [[nodiscard]] std::bitset<4> settled_slots() const;
   // Which part of it is ready.
   double ready();
   void update_slots(const Frame& frame);

@@ -121,12 +121,7 @@ std::string allowed_values(const Parameter& parameter) {
     case Type::Color: return "#000000 to #ffffff";
     case Type::Choice: break;
   }
-  std::string names;
-  for (const std::string_view name : parameter.choices) {
-    if (!names.empty()) names += ", ";
-    names += name;
-  }
-  return names;
+  return listed(parameter.choices);
 }
 
 std::optional<Issue> assign(Scene& scene, const Parameter& parameter, const Value& value, std::string_view given) {

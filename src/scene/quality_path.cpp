@@ -45,9 +45,7 @@ std::vector<std::string_view> quality_names() {
 
 Issue no_such_quality(std::string_view preset) {
   const std::vector<std::string_view> names = quality_names();
-  std::string allowed;
-  for (const std::string_view name : names) allowed += text_of(allowed.empty() ? "" : ", ", name);
-  return {"quality", text_of('"', shortened(preset), "\" is not a preset of quality; allowed are ", allowed,
+  return {"quality", text_of('"', shortened(preset), "\" is not a preset of quality; allowed are ", listed(names),
                              did_you_mean(nearest_name(preset, names)))};
 }
 

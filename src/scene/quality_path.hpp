@@ -30,6 +30,9 @@ std::vector<std::string_view> quality_names();
 // "quality: "fats" is not a preset of quality; allowed are fast, reference; did you mean fast?"
 Issue no_such_quality(std::string_view preset);
 
+// Whether steps take the place of the scene's own settings, to hold quality.target_ms.
+inline bool holds_time(const Scene& scene) { return scene.quality.target_ms > 0.0; }
+
 // The scene with the settings of a step, but for quality.target_ms, which is no matter of accuracy.
 Scene with_quality(Scene scene, const QualityStep& step);
 

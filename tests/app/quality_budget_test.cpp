@@ -135,32 +135,44 @@ TEST(QualityBudget, GivesNothingUpForATimeThatNoStepReaches) {
   EXPECT_GE(beside.step(), 5);
 }
 
+// Notes one frame after the other: usual ones and, at the end of each period, a late one. Times in ms.
+class Frames {
+ public:
+  void note(int count, double usual, int period, double late, double target) {
+    for (int i = 0; i < count; ++i) {
+      const double ms = i % period == period - 1 ? late : usual;
+      budget.note(now_ += 0.001 * ms, ms, target);
+    }
+  }
+  void note(int count, double ms, double target) { note(count, ms, 1, ms, target); }
+
+  QualityBudget budget{costs, 5};
+
+ private:
+  double now_ = 0.0;  // s
+};
+
 TEST(QualityBudget, NoticesAtOnceThatFramesHaveBecomeSlower) {
-  QualityBudget budget(costs, 5);
-  double now = 0.0;
-  for (int i = 0; i < 80; ++i) budget.note(now += 0.015, 15.0, 16.0);
-  for (int i = 0; i < 3; ++i) budget.note(now += 0.15, 150.0, 16.0);
-  EXPECT_EQ(budget.step(), 0);
+  Frames frames;
+  frames.note(80, 15.0, 16.0);
+  frames.note(3, 150.0, 16.0);
+  EXPECT_EQ(frames.budget.step(), 0);
 }
 
 // A browser takes some frames at once and then waits until they are drawn.
 TEST(QualityBudget, SeesThroughBursts) {
-  QualityBudget budget(costs, 5);
-  double now = 0.0;
-  for (int i = 0; i < 10; ++i) {
-    const double ms = i % 4 == 3 ? 250.0 : 16.0;
-    budget.note(now += 0.001 * ms, ms, 40.0);
-  }
-  EXPECT_LT(budget.step(), 5);
+  Frames frames;
+  frames.note(10, 16.0, 4, 250.0, 40.0);
+  EXPECT_LT(frames.budget.step(), 5);
 }
 
 TEST(QualityBudget, ALateFrameIsNoSlowMachine) {
-  QualityBudget budget(costs, 5);
-  double now = 0.0;
-  for (int i = 0; i < 400; ++i) {
-    const double ms = i % 20 == 9 ? 60.0 : 15.0;
-    budget.note(now += 0.001 * ms, ms, 16.0);
-    ASSERT_GE(budget.step(), 5) << i;
+  Frames frames;
+  for (int period = 0; period < 20; ++period) {
+    for (int late = 0; late < 20; ++late) {
+      frames.note(1, late == 9 ? 60.0 : 15.0, 16.0);
+      ASSERT_GE(frames.budget.step(), 5) << period << ' ' << late;
+    }
   }
 }
 
