@@ -39,6 +39,9 @@ class Decisions {
   std::vector<Decision>& list_;
 };
 
+// Of the sea, or cracks of its crust, which are of the same noise.
+bool has_ripples(const Scene& scene) { return scene.water.ripples > 0.0 || scene.water.crust > 0.0; }
+
 bool clouds_move(const Scene& scene) {
   return has_clouds(scene) && (scene.clouds.drift != 0.0 || scene.clouds.speed > 0.0);
 }
@@ -98,7 +101,7 @@ int ripple_layers(double frequency, double pixel) {
 void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& water = scene.water;
   const bool calm = needs.water == Water::calm;
-  const bool wanted = calm && (water.ripples > 0.0 || water.crust > 0.0);  // the same noise breaks up a crust
+  const bool wanted = calm && has_ripples(scene);
   const double pixel = footprint_below(scene, pose);
   const bool seen = 1.0 / water.ripple_frequency > 2.0 * pixel;
   if (wanted && seen) needs.ripple_layers = ripple_layers(water.ripple_frequency, pixel);
@@ -293,7 +296,7 @@ double footprint_below(const Scene& scene, const Pose& pose) {
 bool may_move(const Scene& scene) {
   if (scene.time.speed == 0.0) return false;
   const bool waves = has_water(scene) && scene.waves.count > 0 && scene.waves.speed > 0.0;
-  const bool ripples = has_water(scene) && scene.water.ripple_speed > 0.0;
+  const bool ripples = has_water(scene) && has_ripples(scene) && scene.water.ripple_speed > 0.0;
   return clouds_move(scene) || waves || ripples;
 }
 
