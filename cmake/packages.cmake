@@ -23,7 +23,9 @@ find_program(HB_SUBSET hb-subset NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 find_file(PANEL_FONT Roboto-Regular.ttf NO_CMAKE_FIND_ROOT_PATH
           PATHS /usr/share/fonts /usr/local/share/fonts PATH_SUFFIXES truetype/roboto/unhinted/RobotoTTF REQUIRED)
 
-if(NOT EMSCRIPTEN)
+if(EMSCRIPTEN)
+  find_program(ESBUILD esbuild NO_CMAKE_FIND_ROOT_PATH REQUIRED)  # makes scripts small
+else()
   find_package(Threads REQUIRED)
   find_package(PNG REQUIRED)
   find_package(CLI11 REQUIRED)

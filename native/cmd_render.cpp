@@ -208,7 +208,7 @@ std::string render(const RenderOptions& options, const Task& task) {
     report.frame_ms = time_frames(renderer, task, options.frames + 1);
     report.work = renderer.stats();
   }
-  report.renderer = gl::caps().renderer;
+  report.renderer = gl::renderer_name();
   report.needs = renderer.needs();
   report.issues = beyond_range(renderer, task);
   return write_stats(options, task, report);

@@ -18,7 +18,7 @@ std::string measure_in(Api api, ExtremesReport& report) {
   if (!context) return context.sentence();
   if (std::string failure = beyond_this_machine(); !failure.empty()) return failure;
   const char* const name = api == Api::core ? "core" : "es";
-  report.renderer = gl::caps().renderer;
+  report.renderer = gl::renderer_name();
   Renderer renderer;
   examine_all(
       renderer, name, report.extent, [&](double part) { show_progress(name, part); }, report);

@@ -58,6 +58,7 @@ native() {
 web() {
   build_tools
   command_from emscripten em++ # brings the python3 that serves the page
+  command_from esbuild esbuild
 }
 
 browser() {

@@ -5,10 +5,9 @@
 #include <memory>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "app/session.hpp"
 #include "base/check.hpp"
+#include "base/json_text.hpp"
 #include "gl/caps.hpp"
 #include "scene/description.hpp"
 #include "scene/json.hpp"
@@ -46,7 +45,7 @@ const char* returned(std::string text) {
 }
 
 const char* returned_list(const std::vector<std::string>& sentences) {
-  return returned(nlohmann::json(sentences).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return returned(terrella::json_texts(sentences));
 }
 
 }  // namespace
@@ -79,11 +78,12 @@ EMSCRIPTEN_KEEPALIVE void terrella_resize(int width, int height, double scale, i
 }
 
 // Returns the share of shaders that are ready, below 1, until there is a picture; then 1, plus 1 if a picture was
-// drawn, plus 2 if another frame is wanted, plus 4 if the picture on screen lacks nothing.
+// drawn, plus 2 if another frame is wanted, plus 4 if the picture on screen lacks nothing, plus 8 if it is of the air
+// alone.
 EMSCRIPTEN_KEEPALIVE double terrella_frame(double seconds) {
   const Session::Turn turn = session->frame(seconds, 0);
   if (turn.progress < 1.0) return turn.progress;
-  return 1.0 + (turn.drawn ? 1.0 : 0.0) + (turn.again ? 2.0 : 0.0) + (turn.whole ? 4.0 : 0.0);
+  return 1.0 + (turn.drawn ? 1.0 : 0.0) + (turn.again ? 2.0 : 0.0) + (turn.whole ? 4.0 : 0.0) + (turn.bare ? 8.0 : 0.0);
 }
 
 EMSCRIPTEN_KEEPALIVE void terrella_pointer_is_finger(int finger) { session->pointer_is_finger(finger != 0); }

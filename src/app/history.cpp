@@ -64,7 +64,7 @@ void History::note(const Snapshot& snapshot, double now) {
 void History::step_from_present() {
   drop_empty_step();
   past_.push_back(present_);
-  if (past_.size() > most_steps) past_.pop_front();
+  if (past_.size() > most_steps) past_.erase(past_.begin());
 }
 
 void History::drop_empty_step() {
@@ -83,7 +83,7 @@ const Snapshot& History::redo() {
   return go(future_, past_);
 }
 
-const Snapshot& History::go(std::deque<Snapshot>& to, std::deque<Snapshot>& from) {
+const Snapshot& History::go(std::vector<Snapshot>& to, std::vector<Snapshot>& from) {
   from.push_back(present_);
   present_ = to.back();
   to.pop_back();

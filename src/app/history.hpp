@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <string_view>
+#include <vector>
 
 #include "scene/document.hpp"
 
@@ -55,9 +55,9 @@ class History {
   void drop_empty_step();
   void step_from_present();
   // To the nearest of one side; the present becomes the nearest of the other.
-  const Snapshot& go(std::deque<Snapshot>& to, std::deque<Snapshot>& from);
+  const Snapshot& go(std::vector<Snapshot>& to, std::vector<Snapshot>& from);
 
-  std::deque<Snapshot> past_, future_;  // the nearest last
+  std::vector<Snapshot> past_, future_;  // the nearest last
   Snapshot present_;
   Next next_ = Next::sure_new;
   Means means_ = Means::calls;

@@ -24,7 +24,7 @@ void PresetPictures::advance() {
   View view;
   view.width = oversampling * width;
   view.height = oversampling * height;
-  if (renderer_->prepare(scene, view) < 1.0) return;
+  if (renderer_->prepare(scene, view, Effort::live) < 1.0) return;
   renderer_->draw(scene, view, {});
   pictures_.push_back(std::make_unique<gl::Target>(width, height, gl::Format::rgba8, false));
   renderer_->show({pictures_.back()->framebuffer(), width, height}, false);

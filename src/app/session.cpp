@@ -35,10 +35,10 @@ double field_of(double width, double height, glm::dvec2 covered = glm::dvec2(0.0
 }
 
 // Notes the time since the last one, ms, if there was one.
-void note_interval(std::optional<double>& last, double now, std::deque<double>& intervals) {
+void note_interval(std::optional<double>& last, double now, std::vector<double>& intervals) {
   if (last) intervals.push_back(1000.0 * (now - *last));
   last = now;
-  if (intervals.size() > frames_timed) intervals.pop_front();
+  if (intervals.size() > frames_timed) intervals.erase(intervals.begin());
 }
 
 }  // namespace
@@ -75,6 +75,7 @@ void Session::share_clipboard() {
 
 void Session::context_made() {
   renderer_ = std::make_unique<Renderer>();
+  renderer_->prepare(shown(), view(), effort());  // the driver compiles while the rest is on its way
   planet_stale_ = true;
   panel_frames_ = 3;
 }
@@ -149,7 +150,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (planet_stale_) {
     leave_rest();
     // A technique that is new to the scene compiles in the background; until then the last picture stays.
-    turn.progress = renderer_->prepare(shown(), view());
+    turn.progress = renderer_->prepare(shown(), view(), effort());
     turn.again = true;
     if (turn.progress < 1.0) return turn;
   }
@@ -183,7 +184,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
     if (panel_shown_ && painter_) painter_->draw(*ImGui::GetDrawData(), screen(framebuffer));
     if (panel_frames_ > 0) --panel_frames_;
   }
-  turn.whole = renderer_->whole() && (!panel_shown_ || painter_);
+  turn.bare = renderer_->only_air();
+  turn.whole = !planet_stale_ && renderer_->whole() && (!panel_shown_ || painter_);
   const bool clock_runs = !paused_ && renderer_->needs().moving;
   turn.again = panel_frames_ > 0 || clock_runs || camera_.moving() || !renderer_->settled() || planet_stale_ ||
                clock_moved_ || bands_.under_way() || refines_ ||
@@ -223,7 +225,7 @@ void Session::choose_quality(double now) {
     refines_ = true;
   }
   // What is shown stays until the programs are there.
-  if (refines_ && renderer_->prepare(shown(), view()) == 1.0) {
+  if (refines_ && renderer_->prepare(shown(), view(), effort()) == 1.0) {
     refines_ = false;
     planet_stale_ = true;
   }
@@ -235,10 +237,17 @@ bool Session::is_finer() {
   return !renderer_->whole() || renderer_->refine(shown(), view());
 }
 
+Effort Session::effort() const {
+  if (frames_ == 0) return Effort::soonest;
+  return hand_on_value_ ? Effort::hurried : Effort::live;
+}
+
 void Session::draw_planet(double now) {
   bands_.drop();
-  renderer_->draw(shown(), view(), {Channel::color, hand_on_value_ ? Effort::hurried : Effort::live, false});
-  planet_stale_ = clock_moved_ = false;
+  const Effort effort = this->effort();
+  renderer_->draw(shown(), view(), {Channel::color, effort, false});
+  planet_stale_ = effort == Effort::soonest;  // the rest follows
+  clock_moved_ = false;
   note_frame_time(now);
   note_picture_time(now);
 }
@@ -363,7 +372,7 @@ PanelFacts Session::facts() const {
   facts.can_fill_screen = host_.fill_screen != nullptr;
   facts.can_undo = history_.can_undo();
   facts.can_redo = history_.can_redo();
-  facts.frame_ms = spread_of({picture_ms_.begin(), picture_ms_.end()}).median;
+  facts.frame_ms = spread_of(picture_ms_).median;
   facts.triangles = work.triangles;
   facts.gpu_bytes = work.gpu_bytes;
   facts.noise_evaluations = work.noise_evaluations;
@@ -371,7 +380,7 @@ PanelFacts Session::facts() const {
   facts.width = screen(0).width;
   facts.height = screen(0).height;
   facts.largest_picture = largest_picture;
-  facts.renderer = gl::caps().renderer;
+  facts.renderer = gl::renderer_name();
   for (const Decision& d : renderer_->needs().decisions) facts.decisions.push_back({d.what, d.chosen, d.why});
   facts.notices = notices_;
   facts.beyond = beyond();
@@ -519,12 +528,12 @@ Image Session::picture(int width, int height, bool transparent) {
 
 std::string Session::stats() const {
   StatsReport report;
-  report.renderer = gl::caps().renderer;
+  if (renderer_) report.renderer = gl::renderer_name();
   const View v = view();
   report.width = v.width;
   report.height = v.height;
-  report.frame_ms = {frame_ms_.begin(), frame_ms_.end()};
-  report.picture_ms = {picture_ms_.begin(), picture_ms_.end()};
+  report.frame_ms = frame_ms_;
+  report.picture_ms = picture_ms_;
   report.first_frame_ms = first_frame_ms_;
   report.frames = frames_;
   report.bands = bands_.bands();

@@ -2,7 +2,6 @@
 // and ask it for frames; it draws only when something has changed.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -78,6 +77,7 @@ class Session {
 
   struct Turn {
     bool drawn = false;     // into the framebuffer given
+    bool bare = false;      // what is on screen is the air alone
     bool whole = false;     // what is on screen lacks nothing, as the first pictures do
     bool again = false;     // another frame is wanted without a further event
     double progress = 1.0;  // below 1 until the first frame: share of the shaders that are ready
@@ -149,6 +149,7 @@ class Session {
   void leave_rest();
   void choose_quality(double now);
   bool is_finer();
+  Effort effort() const;
   void draw_planet(double now);
   // What only the clock has made stale; returns whether there is a picture to be shown.
   bool draw_for_the_clock(double now);
@@ -210,7 +211,7 @@ class Session {
   bool at_rest_ = true;        // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
   std::optional<double> last_drawn_, last_shown_;  // s: a frame that drew anything, a picture on screen
-  std::deque<double> frame_ms_, picture_ms_;
+  std::vector<double> frame_ms_, picture_ms_;
   double first_frame_ms_ = 0.0;
   std::int64_t frames_ = 0;  // pictures shown
 };

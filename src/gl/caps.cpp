@@ -12,6 +12,7 @@ namespace terrella::gl {
 namespace {
 
 Caps current;
+std::string name_of_renderer;  // empty until it is asked for
 
 bool has_extension(const char* name) {
 #ifdef __EMSCRIPTEN__
@@ -36,14 +37,12 @@ std::string text_of(GLenum what) {
 
 Caps read_caps() {
   current = Caps{};
-  current.renderer = text_of(GL_RENDERER);
+  name_of_renderer.clear();
 #ifdef __EMSCRIPTEN__
-  if (has_extension("WEBGL_debug_renderer_info")) {
-    const GLenum unmasked_renderer = 0x9246;
-    current.renderer = text_of(unmasked_renderer);
-  }
-#endif
+  current.es = true;
+#else
   current.es = text_of(GL_VERSION).rfind("OpenGL ES", 0) == 0;
+#endif
   const bool both = has_extension("EXT_color_buffer_float");
   current.full_float_targets = !current.es || both;
   current.float_targets = current.full_float_targets || has_extension("EXT_color_buffer_half_float");
@@ -53,6 +52,18 @@ Caps read_caps() {
 }
 
 const Caps& caps() { return current; }
+
+const std::string& renderer_name() {
+  if (!name_of_renderer.empty()) return name_of_renderer;
+  name_of_renderer = text_of(GL_RENDERER);
+#ifdef __EMSCRIPTEN__
+  if (has_extension("WEBGL_debug_renderer_info")) {
+    const GLenum unmasked_renderer = 0x9246;
+    name_of_renderer = text_of(unmasked_renderer);
+  }
+#endif
+  return name_of_renderer;
+}
 
 void set_up_context() {
 #ifndef __EMSCRIPTEN__

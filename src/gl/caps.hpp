@@ -6,7 +6,6 @@
 namespace terrella::gl {
 
 struct Caps {
-  std::string renderer;             // the driver's own name
   bool es = false;                  // OpenGL ES or WebGL, not desktop OpenGL
   bool float_targets = false;       // 16 bit float textures can be drawn to; without them nothing can be drawn here
   bool full_float_targets = false;  // 32 bit ones too
@@ -19,6 +18,9 @@ Caps read_caps();
 
 // Those of the context that read_caps saw last.
 const Caps& caps();
+
+// The driver's own name for what draws. To ask for it is to wait until the driver has done all that it was told.
+const std::string& renderer_name();
 
 // Sets the state that every pass relies on. Call once for a context.
 void set_up_context();

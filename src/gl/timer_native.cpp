@@ -12,7 +12,7 @@ constexpr std::string_view on_the_cpu[] = {"llvmpipe", "softpipe", "SwiftShader"
 
 bool draws_on_the_cpu() {
   return std::any_of(std::begin(on_the_cpu), std::end(on_the_cpu),
-                     [](std::string_view name) { return caps().renderer.find(name) != std::string::npos; });
+                     [](std::string_view name) { return renderer_name().find(name) != std::string::npos; });
 }
 
 // Bits in which the driver counts; 0 where it has such queries in name only.

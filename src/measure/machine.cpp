@@ -23,7 +23,7 @@ std::string cpu_model() {
 
 Machine this_machine() {
   Machine machine;
-  machine.renderer = gl::caps().renderer;
+  machine.renderer = gl::renderer_name();
   const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
   machine.gl_version = version == nullptr ? "" : version;
   machine.cpu = cpu_model();

@@ -63,7 +63,8 @@ void draw_corners(ImVec2 centre, float reach, unsigned color) {
 
 }  // namespace
 
-float points(float count) { return count * ImGui::GetFontSize() / kFontSize; }
+// Not by ImGui::GetFontSize(), which is 0 before the panel has first run: the planet makes room for it before.
+float points(float count) { return count * ImGui::GetIO().Fonts->ConfigData.front().SizePixels / kFontSize; }
 
 void bar(const char* id, double position, const std::string& text, float width) {
   const ImVec2 from = ImGui::GetCursorScreenPos();

@@ -17,6 +17,7 @@ enum class Channel : int { color = 0, distance = 1, normal = 2, height = 3 };
 
 // How much a frame may leave for later ones.
 enum class Effort {
+  soonest,   // the first picture of all: nothing but the air, where there is any
   hurried,   // a parameter is being dragged: coarse, and nothing finer is begun
   live,      // coarse until finer maps, made over several frames, are ready
   complete,  // everything is made at once, however long it takes

@@ -90,22 +90,26 @@ void Renderer::wait() const {
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, pixel);
 }
 
-double Renderer::prepare(const Scene& scene, const View& view) {
+double Renderer::prepare(const Scene& scene, const View& view, Effort effort) {
   begun_.reset();
   pose_ = pose_of(scene, view);
   needs_ = needs_of(scene, view, pose_);
-  choose_techniques();
+  choose_techniques(effort);
+  if (only_air_) return 1.0;  // two small programs are sooner waited for than asked for again and again
   // The driver compiles meanwhile; to ask it for anything is to wait for it.
   if (ground_) ground_->begin(scene, needs_);
   if (water_) spheres_.directions(needs_.water_level);
   return ready();
 }
 
-void Renderer::choose_techniques() {
+void Renderer::choose_techniques(Effort effort) {
+  air_.choose(needs_.air);
+  // Its program is the smallest; a driver that compiles one after the other is not to begin with the others.
+  only_air_ = effort == Effort::soonest && air_;
+  if (only_air_) return;
   ground_.choose(needs_.ground, spheres_);
   water_.choose(needs_.water, needs_.water, spheres_);
   clouds_.choose(needs_.clouds, spheres_);
-  air_.choose(needs_.air);
   stars_.choose(needs_.stars);
   night_.choose(needs_.night);
   sun_.choose(needs_.sun);
@@ -129,7 +133,7 @@ void Renderer::draw(const Scene& scene, const View& view, const Shot& shot) {
 void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
   pose_ = pose_of(scene, view);
   needs_ = needs_of(scene, view, pose_);
-  choose_techniques();
+  choose_techniques(shot.effort);
   begun_.emplace(Begun{scene, view, shot, make_sea(scene, view.seconds)});
   effort_ = shot.effort;
   planet_box_ = box_of_sphere(pose_, view, outermost_radius(scene));
@@ -253,7 +257,7 @@ void Renderer::show(const gl::Screen& screen, bool antialias) {
   picture_.show(light_->image(), screen, antialias ? &planet_box_ : nullptr, effort_ == Effort::complete);
 }
 
-bool Renderer::whole() const { return (!stars_ || stars_->settled()) && picture_.settled(); }
+bool Renderer::whole() const { return !only_air_ && (!stars_ || stars_->settled()) && picture_.settled(); }
 
 std::bitset<4> Renderer::settled_slots() const {
   std::bitset<4> settled;

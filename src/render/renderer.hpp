@@ -47,7 +47,7 @@ class Renderer {
   Renderer();
 
   // Chooses the techniques for a scene and begins to compile what is new. 1 when draw will not wait for a shader.
-  double prepare(const Scene& scene, const View& view);
+  double prepare(const Scene& scene, const View& view, Effort effort);
 
   // Draws into the renderer's own picture of light. view: in pixels drawn.
   void draw(const Scene& scene, const View& view, const Shot& shot);
@@ -72,6 +72,8 @@ class Renderer {
   // What the last draw, or else prepare, decided.
   [[nodiscard]] const Needs& needs() const { return needs_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
+  // Whether the last picture was of the air alone, as one with Effort::soonest is.
+  [[nodiscard]] bool only_air() const { return only_air_; }
   // Whether the last picture lacked nothing; the first ones do without what they would have to wait for.
   [[nodiscard]] bool whole() const;
   // Whether it was as fine as the scene asks as well; else further frames refine it.
@@ -80,7 +82,7 @@ class Renderer {
 
  private:
   // Builds what the needs call for.
-  void choose_techniques();
+  void choose_techniques(Effort effort);
   // Which of the slots that refine what they show lack nothing.
   [[nodiscard]] std::bitset<4> settled_slots() const;
   // Which part of it is ready.
@@ -116,6 +118,7 @@ class Renderer {
   PictureBox planet_box_;
   std::optional<Begun> begun_;
   Effort effort_ = Effort::complete;  // of the last draw
+  bool only_air_ = false;
   Pose pose_{};
   std::int64_t noise_evaluations_ = 0, texture_reads_ = 0;
 };

@@ -1,7 +1,7 @@
 #include "scene/entries.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <set>
 
 #include "base/text.hpp"
 #include "scene/presets.hpp"
@@ -44,7 +44,7 @@ void apply_entries(SceneDocument& document, std::span<const Entry> entries, std:
     if (entry.path == kVersionKey) check_version(entry, issues);
     if (entry.path == kPresetKey) start_from_preset(document, entry, issues);
   }
-  std::unordered_set<std::string_view> seen;
+  std::set<std::string_view> seen;
   for (const Entry& entry : entries) {
     if (std::find(not_ours.begin(), not_ours.end(), entry.path) != not_ours.end()) continue;
     if (!seen.insert(entry.path).second) {

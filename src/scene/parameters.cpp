@@ -1,6 +1,6 @@
 #include "scene/parameters.hpp"
 
-#include <unordered_map>
+#include <map>
 
 #include "base/check.hpp"
 #include "base/text.hpp"
@@ -85,8 +85,8 @@ constexpr Group kGroups[] = {
 };
 #include "scene/params_undef.inc"
 
-std::unordered_map<std::string_view, const Parameter*> index_by_path() {
-  std::unordered_map<std::string_view, const Parameter*> by_path;
+std::map<std::string_view, const Parameter*> index_by_path() {
+  std::map<std::string_view, const Parameter*> by_path;
   for (const Parameter& parameter : parameters()) by_path[parameter.path] = &parameter;
   return by_path;
 }
@@ -112,7 +112,7 @@ Scene scaled(Scene scene, double factor) {
 }
 
 const Parameter* find_parameter(std::string_view path) {
-  static const std::unordered_map<std::string_view, const Parameter*> by_path = index_by_path();
+  static const std::map<std::string_view, const Parameter*> by_path = index_by_path();
   const auto found = by_path.find(path);
   return found == by_path.end() ? nullptr : found->second;
 }

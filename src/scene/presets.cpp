@@ -37,7 +37,9 @@ Preset read_preset(const PresetText& file) {
 std::vector<Preset> read_presets() {
   std::vector<Preset> all;
   for (const PresetText& file : preset_texts()) all.push_back(read_preset(file));
-  std::stable_partition(all.begin(), all.end(), [](const Preset& preset) { return preset.name == kDefaultPreset; });
+  const auto first =
+      std::find_if(all.begin(), all.end(), [](const Preset& preset) { return preset.name == kDefaultPreset; });
+  if (first != all.end()) std::rotate(all.begin(), first, first + 1);
   CHECK(!all.empty() && all[0].name == kDefaultPreset && all[0].scene == Scene{}, "no default preset");
   return all;
 }

@@ -12,7 +12,7 @@ namespace {
 TEST(Timer, TimesWhatIsDrawnAndIsTrustedOnlyWhereAGpuDraws) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  const bool on_the_cpu = gl::caps().renderer.find("llvmpipe") != std::string::npos;
+  const bool on_the_cpu = gl::renderer_name().find("llvmpipe") != std::string::npos;
   EXPECT_FALSE(on_the_cpu && gl::has_timer());
   const gl::Target target(256, 256, gl::Format::rgba8, false);
   gl::Timer timer;

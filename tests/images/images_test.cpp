@@ -248,6 +248,30 @@ TEST(Pictures, SoonLackNothingAndCompleteOnesNever) {
   EXPECT_EQ(show(studio.renderer, Effort::live), all);
 }
 
+TEST(Pictures, DrawnSoonestAreOfTheAirAlone) {
+  View view;
+  view.width = 160;
+  view.height = 90;
+  const auto draws_ground = [](const Studio& studio) {
+    const std::vector<std::string> programs = studio.renderer.stats().programs;
+    return std::find(programs.begin(), programs.end(), "ground/icosphere") != programs.end();
+  };
+  Studio airy, airless;
+  airy.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::soonest, false});
+  EXPECT_TRUE(airy.renderer.only_air());
+  EXPECT_FALSE(airy.renderer.whole());
+  EXPECT_FALSE(draws_ground(airy));
+  const std::vector<float> light = airy.renderer.read_light();
+  EXPECT_GT(*std::max_element(light.begin(), light.end()), 0.1F);
+  airy.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});
+  EXPECT_FALSE(airy.renderer.only_air());
+  EXPECT_TRUE(draws_ground(airy));
+
+  airless.renderer.draw(find_preset("moon")->scene, view, {Channel::color, Effort::soonest, false});
+  EXPECT_FALSE(airless.renderer.only_air());
+  EXPECT_TRUE(draws_ground(airless));
+}
+
 TEST(Pictures, OfASettledPlanetComputeNoNoiseForTheGround) {
   Scene scene = find_preset("moon")->scene;
   View view;

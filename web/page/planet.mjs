@@ -54,7 +54,9 @@ export class Planet {
     const coming = import('./terrella.js').then(module => module.default(this.#host()));
     coming.catch(() => {});  // told below, unless the canvas has told already
     this.#around.progressed(0.1);
-    // While the program is on its way the driver sets itself up.
+    // To ask for a context is to wait until the driver has set itself up: a program that is nearly here comes first, and
+    // the driver does so while one is on its way that is not.
+    await Promise.race([coming, new Promise(done => setTimeout(done, 200))]).catch(() => {});
     this.#size(...this.#around.firstSize());
     this.#context = this.#canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false, powerPreference: 'high-performance' });
     if (!this.#context) {
@@ -170,8 +172,8 @@ export class Planet {
       return;
     }
     this.#screenKeys.follow();
-    const [drawn, again, whole] = [1, 2, 4].map(bit => ((result - 1) & bit) !== 0);
-    if (drawn) this.#around.shown();
+    const [drawn, again, whole, bare] = [1, 2, 4, 8].map(bit => ((result - 1) & bit) !== 0);
+    if (drawn && !bare) this.#around.shown();
     if (whole) this.#keepReady();
     if (again) this.#wake();
   }
@@ -180,10 +182,11 @@ export class Planet {
   // was lost before there was a program.
   #begin() {
     if (!this.#program || !this.#canDraw()) return;
+    this.fit();
     if (!this.#program._terrella_start()) {
       return this.#fail('Terrella draws into float textures, which this graphics driver does not offer.');
     }
-    this.fit();
+    this.#wake();
   }
 
   // The context may be gone before its event has told so.
