@@ -18,7 +18,7 @@ namespace terrella {
 // How much is measured.
 struct TradePlan {
   int width = 480, height = 270;  // pixels of all pictures, >= 1
-  int rounds = 6;                 // in each of which every setting is timed; >= 1
+  int rounds = 5;                 // in each of which every setting is timed; >= 1
   bool few = false;               // only three values of each knob, and two cameras
   bool path_only = false;         // only the scene's own setting and the steps of quality_path()
   Truth::Goal truth = {45.0, 54};
