@@ -238,7 +238,7 @@ bool Session::is_finer() {
 }
 
 Effort Session::effort() const {
-  if (frames_ == 0) return Effort::soonest;
+  if (!soonest_drawn_) return Effort::soonest;
   return hand_on_value_ ? Effort::hurried : Effort::live;
 }
 
@@ -246,10 +246,17 @@ void Session::draw_planet(double now) {
   bands_.drop();
   const Effort effort = this->effort();
   renderer_->draw(shown(), view(), {Channel::color, effort, false});
-  planet_stale_ = effort == Effort::soonest;  // the rest follows
+  const bool soonest = effort == Effort::soonest;
+  planet_stale_ = soonest;  // the rest follows
   clock_moved_ = false;
+  soonest_drawn_ = true;
+  planet_shown_ = !soonest;
   note_frame_time(now);
   note_picture_time(now);
+  if (!soonest) return;
+  // How long the compiler takes is no time of a frame.
+  forget_intervals();
+  unsettled_since_.reset();
 }
 
 bool Session::is_watched() const {
@@ -412,7 +419,7 @@ void Session::open(const SceneDocument& loaded) {
   document_ = opened_ = loaded;
   notices_.clear();  // they were about another scene
   camera_.stop();
-  if (frames_ == 0) history_.start({document_, opened_});
+  if (!planet_shown_) history_.start({document_, opened_});
   history_.begin();
   scene_was_changed();
 }
@@ -507,6 +514,7 @@ void Session::render_at(double seconds, GLuint framebuffer) {
   const Scene scene = as_kept();
   renderer_->draw(scene, view_of(scene), {});
   ++frames_;
+  soonest_drawn_ = planet_shown_ = true;
   forget_intervals();
   renderer_->show(screen(framebuffer), scene.quality.antialias);
   planet_stale_ = clock_moved_ = false;
@@ -517,6 +525,7 @@ void Session::render_at(double seconds, GLuint framebuffer) {
 
 Image Session::picture(int width, int height, bool transparent) {
   planet_stale_ = true;  // the renderer's picture will have another size
+  soonest_drawn_ = true;
   StillOptions options;
   options.width = width;
   options.height = height;

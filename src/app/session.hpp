@@ -213,7 +213,9 @@ class Session {
   std::optional<double> last_drawn_, last_shown_;  // s: a frame that drew anything, a picture on screen
   std::vector<double> frame_ms_, picture_ms_;
   double first_frame_ms_ = 0.0;
-  std::int64_t frames_ = 0;  // pictures shown
+  std::int64_t frames_ = 0;     // pictures shown
+  bool soonest_drawn_ = false;  // or made needless
+  bool planet_shown_ = false;   // by a picture that was not the soonest
 };
 
 }  // namespace terrella

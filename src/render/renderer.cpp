@@ -235,7 +235,8 @@ void Renderer::set_maps(const Frame& frame) {
 }
 
 void Renderer::begin_light(const View& view, const Shot& shot) {
-  const gl::Format format = shot.full_float ? gl::Format::rgba32f : gl::Format::rgba16f;
+  const gl::Format format =
+      shot.full_float && gl::caps().full_float_targets ? gl::Format::rgba32f : gl::Format::rgba16f;
   if (!light_ || light_->image().width() != view.width || light_->image().height() != view.height ||
       light_->image().format() != format) {
     light_.reset();

@@ -536,6 +536,21 @@ TEST_F(SessionTest, GivesUpQualityForItsTargetAndTakesItBackAtRest) {
   EXPECT_TRUE(quality().is_null());
 }
 
+TEST_F(SessionTest, GivesUpNoQualityForTheTimeThatPassesUntilThereIsAPlanet) {
+  session.set("quality.target_ms", "16");
+  session.set_paused(false);
+  const auto step = [&] { return nlohmann::json::parse(session.stats()).at("quality").at("step").get<int>(); };
+  const int before = step();
+  frames(1);
+  now_ += 3.0;  // as a compiler takes them
+  while (nlohmann::json::parse(session.stats()).at("frames") == 1) frames(1);
+  for (int i = 0; i < 3; ++i) {
+    now_ += 0.1;
+    frames(1);
+  }
+  EXPECT_EQ(step(), before);
+}
+
 TEST_F(SessionTest, APictureThatIsKeptIsDrawnAtItsFinest) {
   session.set_paused(true);
   const Scene finest = with_quality(session.document().scene, quality_path().back());

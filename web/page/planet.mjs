@@ -62,6 +62,7 @@ export class Planet {
     if (!this.#context) {
       return this.#fail('Terrella draws with WebGL 2, which this browser or its graphics driver does not offer.');
     }
+    if (this.#asleep) this.sleep();  // since before there was one
     try {
       this.#program = await coming;
     } catch (error) {
