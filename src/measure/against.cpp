@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "measure/moment.hpp"
 #include "measure/trade_json.hpp"
 #include "scene/json.hpp"
 
@@ -105,6 +106,7 @@ Result<TradeSummary> read_trade(std::string_view text) {
   }
   summary.scene = member(json, "scene").dump();
   summary.cameras = scenes_of(member(json, "cameras"));
+  summary.judged_at = number_in(member(json, "judged_at"));
   const Json& settings = member(json, "settings");
   bool all = settings.is_array() && !settings.empty() && makes_sense(summary.control_ms);
   for (const Json& setting : settings) all = add_setting(setting, summary) && all;
@@ -117,6 +119,7 @@ TradeSummary to_be_measured(const SceneDocument& document, const TradePlan& plan
   TradeSummary summary;
   summary.size = {static_cast<double>(plan.width), static_cast<double>(plan.height)};
   summary.scene = Json::parse(to_json(document)).dump();
+  summary.judged_at = judged_at(document.scene);
   for (const Camera& camera : cameras_for(document.scene, plan))
     summary.cameras += Json::parse(to_json(as_seen_by(document, camera))).dump() + '\n';
   return summary;
@@ -124,6 +127,7 @@ TradeSummary to_be_measured(const SceneDocument& document, const TradePlan& plan
 
 std::string why_not_comparable(const TradeSummary& before, const TradeSummary& now) {
   if (before.scene != now.scene) return "is of another scene.";
+  if (before.judged_at != now.judged_at) return "is of another moment.";
   if (before.size != now.size) return "is of pictures of another size.";
   if (before.cameras != now.cameras) return "is of other cameras.";
   return {};

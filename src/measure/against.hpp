@@ -23,6 +23,7 @@ struct TradeSummary {
   std::vector<double> size;  // pixels
   std::string scene;         // as JSON
   std::string cameras;       // their scenes as JSON
+  double judged_at = 0.0;    // s
   Spread control_ms;
   std::map<std::string, Setting> settings;  // by id
 };
@@ -36,7 +37,7 @@ struct Comparison {
   int compared = 0;                        // settings that both have
 };
 
-// What of it is known before anything is measured: size, scene and cameras.
+// What of it is known before anything is measured: size, scene, moment and cameras.
 TradeSummary to_be_measured(const SceneDocument& document, const TradePlan& plan);
 
 // Whether two reports are of the same pictures, so that they can be compared: empty, or a sentence that says why not.

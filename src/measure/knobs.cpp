@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/check.hpp"
+#include "planet/materials.hpp"
 #include "planet/terrain.hpp"
 
 namespace terrella {
@@ -34,6 +35,7 @@ std::vector<Value> with(const Knob& knob, const Value& own) {
   return values;
 }
 
+bool clouds_change(const Scene& scene) { return has_clouds(scene) && scene.clouds.speed > 0.0; }
 bool has_waves(const Scene& scene) { return has_water(scene) && scene.waves.count > 0; }
 
 }  // namespace
@@ -48,6 +50,7 @@ std::span<const Knob> knobs() {
       {"quality.ground_texel_size", {64.0, 4.0, 1.7, 0.5}},
       {"quality.cloud_texels", {128, 256, 384, 768}},
       {"quality.cloud_texel_size", {64.0, 8.0, 4.0, 1.0}},
+      {"quality.cloud_loss", {0.5, 0.12, 0.03, 0.008}, clouds_change},
       {"quality.wave_height", {4.0, 0.5, 0.1}, has_waves},
   };
   return all;

@@ -6,6 +6,7 @@
 #include "gl/caps.hpp"
 #include "gl/ledger.hpp"
 #include "measure/counters.hpp"
+#include "measure/moment.hpp"
 
 namespace terrella {
 namespace {
@@ -34,10 +35,11 @@ Subject::Subject(int width, int height)
 Image Subject::pose(const Scene& scene) {
   const Weighing weighing(*this);
   scene_ = scene;
-  seconds_ = 0.0;
+  seconds_ = judged_at(scene);
   StillOptions options;
   options.width = width_;
   options.height = height_;
+  options.seconds = seconds_;
   return take_picture(renderer_, scene_, options);
 }
 
@@ -47,6 +49,7 @@ DrawnGeometry Subject::geometry() {
   const View drawn = view(largest_measured);
   options.width = drawn.width;
   options.height = drawn.height;
+  options.seconds = seconds_;
   return {take_measurement(renderer_, scene_, options, Channel::distance),
           take_measurement(renderer_, scene_, options, Channel::normal)};
 }

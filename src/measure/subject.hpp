@@ -17,7 +17,7 @@ class Subject {
   // Of pictures shown at this size, pixels. Needs a current context that can draw to 32 bit floats.
   Subject(int width, int height);
 
-  // From now on draws this scene: its picture, with all that it needs made at once.
+  // From now on draws this scene: its picture at the moment of judged_at, with all that it needs made at once.
   Image pose(const Scene& scene);
   // What that picture shows of the surface, at the size it is drawn at or, if that is less, twice the size shown.
   DrawnGeometry geometry();

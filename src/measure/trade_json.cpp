@@ -4,6 +4,7 @@
 
 #include "measure/counters.hpp"
 #include "measure/image_error.hpp"
+#include "measure/moment.hpp"
 #include "scene/json.hpp"
 
 namespace terrella {
@@ -130,6 +131,7 @@ std::string trade_json(const TradeReport& report) {
   json["schema"] = trade_schema;
   json["machine"] = machine_json(report);
   json["seconds"] = report.seconds;
+  json["judged_at"] = judged_at(report.document.scene);
   json["rounds"] = report.plan.rounds;
   json["scene"] = Json::parse(to_json(report.document));
   json["cameras"] = cameras_json(report);

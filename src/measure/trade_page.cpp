@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "measure/html.hpp"
+#include "measure/moment.hpp"
 #include "measure/trade_chart.hpp"
 #include "measure/trade_effects.hpp"
 #include "measure/trade_knobs.hpp"
@@ -178,6 +179,8 @@ std::string machine_html(const TradeReport& report) {
       fact("Processor", text_of(machine.cpu, ", ", machine.cores, " cores")),
       fact("Times", machine.gpu_timer ? "by the GPU's own clock" : "from the call until the picture is there"),
       fact("Work that never changes", with_spread(machine.control_ms) + " ms"), fact("Scene", to_json(report.document)),
+      fact("Pictures are judged", text_of(figure(judged_at(report.document.scene)),
+                                          " s after the scene began: where clouds are blended at every setting")),
       fact("All of it took", text_of(figure(report.seconds), " s, ", report.plan.rounds, " rounds")), "</dl>\n",
       "<h2>What the columns say</h2>\n<dl>\n",
       fact("ms",

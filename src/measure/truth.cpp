@@ -5,6 +5,7 @@
 
 #include "app/develop.hpp"
 #include "measure/image_error.hpp"
+#include "measure/moment.hpp"
 #include "planet/pose.hpp"
 
 namespace terrella {
@@ -23,6 +24,7 @@ Truth::Truth(const Scene& scene, int width, int height, const Goal& goal, const 
   reference::Options how;
   how.width = width;
   how.height = height;
+  how.seconds = judged_at(scene);
   Image mean;
   // Grids of 2x2, 3x3, 4x4 … samples have hardly a place in common.
   for (int n = 2; samples_ + n * n <= goal.most_samples && self_psnr_ < goal.psnr; ++n) {
@@ -64,6 +66,7 @@ const reference::Geometry& Truth::geometry(int width, int height) {
   reference::Options how;
   how.width = width;
   how.height = height;
+  how.seconds = judged_at(scene_);
   how.left_out = {pixel, pixel, pixel};
   return geometries_.emplace(std::pair(width, height), reference::geometry(scene_, how)).first->second;
 }

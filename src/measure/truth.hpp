@@ -22,7 +22,7 @@ class Truth {
     int most_samples;
   };
 
-  // width, height: pixels, >= 1. progress: is told now and then which part is done, 0..1.
+  // At the moment of judged_at. width, height: pixels, >= 1. progress: is told now and then which part is done, 0..1.
   Truth(const Scene& scene, int width, int height, const Goal& goal, const std::function<void(double)>& progress);
 
   // sRGB, 3 channels, 0..1, as take_picture gives it.

@@ -152,7 +152,8 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
 // By how much (rad) the coarsest layer of clouds may turn between two pictures that are blended. Half way between two
 // gradients that are an angle apart, their mean is shorter by the cosine of half of it; layer i turns by 2^i times as
 // much as the coarsest (flow_speed). The angle is such that all layers together lose a part of their amplitude that is
-// small enough (quality.cloud_loss).
+// small enough (quality.cloud_loss), and a whole one of the longest halved again and again: the moments of a short
+// interval are those of longer ones as well.
 double blend_turn(double persistence, int octaves, double may_be_lost) {
   const auto lost = [&](double turn) {
     double loss = 0.0, total = 0.0, amplitude = 1.0;
@@ -162,8 +163,8 @@ double blend_turn(double persistence, int octaves, double may_be_lost) {
     }
     return loss / total;
   };
-  double turn = 4.0;
-  while (lost(turn) > may_be_lost) turn *= 0.9;
+  double turn = longest_blend_turn;
+  while (lost(turn) > may_be_lost) turn *= 0.5;
   return turn;
 }
 

@@ -67,6 +67,9 @@ inline constexpr int coarse_level = 5;
 inline constexpr int coarse_ground_texels = 96;
 inline constexpr int coarse_cloud_texels = 96;
 
+// By how much the coarsest layer of clouds turns between two pictures of them, at most, rad.
+inline constexpr double longest_blend_turn = 1.0;
+
 // Whether pixels add layers that the map of the ground can't hold.
 inline bool refines_ground(const Needs& needs) { return needs.pixel_octaves_end > needs.pixel_octaves_first; }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -101,6 +102,9 @@ TEST(Against, SaysWhenTwoReportsAreOfDifferentThings) {
   other = made_up();
   other.cameras = "elsewhere";
   EXPECT_EQ(why_not_comparable(other, made_up()), "is of other cameras.");
+  other = made_up();
+  other.judged_at = std::nan("");  // a report that does not say
+  EXPECT_EQ(why_not_comparable(other, made_up()), "is of another moment.");
 }
 
 // A whole report, and what is left of it without one of its members.
