@@ -47,7 +47,7 @@ bool clouds_move(const Scene& scene) {
 }
 
 // Of meshes that carry a relief. A mesh finer than level 6 is worth its triangles only to someone who asks for less
-// than a fifth of a pixel.
+// than a fifth of a pixel, and one finer than level 7 for less than a tenth.
 int finest_relief_level(const Scene& scene) {
   return scene.quality.pixel_error < 0.1 ? 8 : scene.quality.pixel_error < 0.2 ? 7 : 6;
 }
@@ -68,7 +68,8 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
 
   needs.ground_level = ground_level(scene);
   decide.add("ground.level", needs.ground_level,
-             "the coarsest mesh within quality.pixel_error, and no finer than level 6 unless that is below 0.2 px");
+             "the coarsest mesh within quality.pixel_error, and no finer than level 6, or 7 where that is below 0.2 "
+             "px, 8 below 0.1");
   // In steps, so that the triangles do not change with every move of the camera.
   const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
   needs.ground_tolerance = std::exp2(0.25 * std::floor(4.0 * std::log2(allowed)));
@@ -139,7 +140,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   needs.water_level = needs.water == Water::waves ? finest_relief_level(scene) : sphere_level(allowed);
   decide.add("water.level", needs.water_level,
              needs.water == Water::waves
-                 ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2"
+                 ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2, 8 below 0.1"
                  : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the
   // shore. Never so far that it nears the eye, which in the smallest pictures would not count as an error.

@@ -46,7 +46,8 @@ class Renderer {
   // Needs a current context whose caps() have been read and can draw to floats.
   Renderer();
 
-  // Chooses the techniques for a scene and begins to compile what is new. 1 when draw will not wait for a shader.
+  // Chooses the techniques for a scene and begins to compile what is new for a picture of that effort. 1 when draw will
+  // not wait for a shader, else the part that is there.
   double prepare(const Scene& scene, const View& view, Effort effort);
 
   // Draws into the renderer's own picture of light. view: in pixels drawn.
