@@ -43,14 +43,14 @@ bool has_waves(const Scene& scene) { return has_water(scene) && scene.waves.coun
 std::span<const Knob> knobs() {
   static const std::vector<Knob> all = {
       {"quality.resolution_scale", {0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 4.0}},
-      {"quality.pixel_error", {8.0, 4.0, 2.0, 0.75, 0.3, 0.15}},
+      {"quality.pixel_error", {2.0, 0.75, 0.3, 0.15}},
       {"quality.antialias", {false, true}},
       {"quality.finest_layer", {8.0, 4.0, 2.0, 1.0}},
       {"quality.ground_texels", {256, 512, 1024}},
       {"quality.ground_texel_size", {64.0, 4.0, 1.7, 0.5}},
       {"quality.cloud_texels", {128, 256, 384, 768}},
       {"quality.cloud_texel_size", {64.0, 8.0, 4.0, 1.0}},
-      {"quality.cloud_loss", {0.5, 0.12, 0.03, 0.008}, clouds_change},
+      {"quality.cloud_loss", {0.2, 0.08, 0.03, 0.008}, clouds_change},
       {"quality.wave_height", {4.0, 0.5, 0.1}, has_waves},
   };
   return all;
