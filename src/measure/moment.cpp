@@ -7,7 +7,9 @@ namespace terrella {
 double judged_at(const Scene& scene) {
   constexpr double day = 86'400.0;  // s
   const double speed = scene.clouds.speed;
-  return speed > 0.0 && longest_blend_turn / speed < day ? longest_blend_turn / speed / 3.0 : 0.0;
+  if (speed <= 0.0) return 0.0;
+  const double longest = longest_blend_turn / speed;
+  return longest < day ? longest / 3.0 : 0.0;
 }
 
 }  // namespace terrella

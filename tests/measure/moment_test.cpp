@@ -54,7 +54,7 @@ TEST(Moment, ShowsHowOftenCloudsAreRenewed) {
   const Image exact = picture(0.001);
   const double seldom = psnr(picture(0.5), exact), often = psnr(picture(0.03), exact);
   if (std::getenv("TERRELLA_PRINT") != nullptr) std::printf("clouds seldom %.1f dB, often %.1f dB\n", seldom, often);
-  EXPECT_GT(often, seldom + 5.0);
+  EXPECT_GT(often, seldom + 20.0);  // measured: 48.7 and 27.6
 }
 
 }  // namespace
