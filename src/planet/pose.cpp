@@ -164,21 +164,25 @@ double pixel_of_height(const Pose& pose) {
   return pose.pixel_angle * surface * (d - 1.0) * (d + 1.0) / d;
 }
 
-glm::mat4 clip_from_eye(const Pose& pose, const View& view) {
+DepthScheme depth_scheme(const Pose& pose, bool from_zero) {
+  if (from_zero) return {0.0, 1.0, 0.0, 0.0};
+  constexpr double widest = 1e4;  // where floats next to 1 still tell a thousandth of a distance
+  const double range = pose.far / pose.near;
+  return {-1.0, 2.0, -1.0, range > widest ? 2.0 / std::log2(range) : 0.0};
+}
+
+glm::mat4 clip_from_eye(const Pose& pose, const View& view, const DepthScheme& depths) {
   const double fy = 1.0 / pose.tan_half_fov;
   const double fx = fy * view.height / view.width;
-  const double depth = pose.far - pose.near;
-  const double a = (pose.far + pose.near) / depth;
-  const double b = -2.0 * pose.far * pose.near / depth;
   const double shift_x = 2.0 * view.shift.x / view.width, shift_y = -2.0 * view.shift.y / view.height;
   glm::mat4 m(0.0F);
   for (int i = 0; i < 3; ++i) {
     m[i][0] = static_cast<float>(fx * pose.right[i] + shift_x * pose.forward[i]);
     m[i][1] = static_cast<float>(fy * pose.up[i] + shift_y * pose.forward[i]);
-    m[i][2] = static_cast<float>(a * pose.forward[i]);
+    m[i][2] = static_cast<float>(depths.scale * pose.forward[i]);
     m[i][3] = static_cast<float>(pose.forward[i]);
   }
-  m[3][2] = static_cast<float>(b);
+  m[3][2] = static_cast<float>(depths.offset * pose.near);
   return m;
 }
 
