@@ -95,7 +95,7 @@ void CameraControl::zoom(double factor, glm::dvec2 toward) {
 
 void CameraControl::zoom_now(Scene& scene, const View& view, double factor, glm::dvec2 toward) {
   const Pose pose = pose_of(scene, view);
-  const double clearance = std::clamp(pose.clearance / factor, least_clearance, farthest);
+  const double clearance = std::clamp(pose.clearance / factor, least_clearance(scene), farthest);
   const double share = 1.0 - clearance / pose.clearance;
   const glm::dvec3 place = glm::normalize(pose.eye);
   const glm::dvec3 target = ground_point(pose, ray_through(pose, view, toward));

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "formulas/formulas.hpp"
+#include "planet/cube_grid.hpp"
 #include "planet/icosphere_groups.hpp"
 #include "planet/lights.hpp"
 #include "planet/materials.hpp"
@@ -22,7 +23,10 @@ namespace terrella {
 namespace {
 
 // Places in the choice lists of params.inc.
-enum : int { model_none = 0, water_calm = 2, water_waves = 3 };
+enum : int { model_none = 0, water_calm = 2, water_waves = 3, ground_icosphere = 2, ground_quadtree = 3 };
+
+// A planet that is large for who stands on it, and whose mountains are low beside it.
+constexpr double real_radius = 10e3, real_relief = 0.02;  // m; planet radii
 
 std::string number(double value) { return printed_number(value, 4); }
 
@@ -60,11 +64,33 @@ int sphere_level(double allowed) {
   return level;
 }
 
+// Nodes, and what pixels add to their vertices.
+void decide_nodes(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
+  const auto& terrain = scene.terrain;
+  needs.ground_split = 2.5;
+  decide.add("ground.split", needs.ground_split, "edges of a node within which it is split in four");
+  const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
+  needs.ground_deepest = 0;
+  while (needs.ground_deepest < deepest_level && vertex_spacing(needs.ground_deepest) * finest > 0.25) {
+    ++needs.ground_deepest;
+  }
+  decide.add("ground.deepest", needs.ground_deepest, "the level whose vertices show the finest layer of noise");
+  needs.pixel_octaves_first = 0;
+  needs.pixel_octaves_end =
+      visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint_below(scene, pose));
+  decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
+}
+
 void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& terrain = scene.terrain;
   if (terrain.model == model_none) return decide.add("ground", name_of(needs.ground), "terrain.model asks for none");
-  needs.ground = Ground::icosphere;
-  decide.add("ground", name_of(needs.ground), "the only model of a ground in this version");
+  needs.ground = ground_technique(scene);
+  decide.add("ground", name_of(needs.ground),
+             terrain.model > 1 ? "terrain.model asks for it"
+             : needs.ground == Ground::icosphere
+                 ? "a miniature: one mesh shows all of it"
+                 : "the planet is of real size: from 10 km of radius on, and mountains below a fiftieth of it");
+  if (needs.ground == Ground::quadtree) return decide_nodes(needs, scene, pose, decide);
 
   needs.ground_level = ground_level(scene);
   decide.add("ground.level", needs.ground_level,
@@ -121,7 +147,10 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   }
   const Sea sea = make_sea(scene, 0.0);
   const double shown = sea.highest / std::max(pose.pixel_angle * pose.clearance, 1e-12);
-  if (water.model == water_calm) {
+  if (needs.ground == Ground::quadtree) {
+    needs.water = Water::calm;
+    decide.add("water", name_of(needs.water), "waves do not yet ride a ground of nodes");
+  } else if (water.model == water_calm) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "water.model asks for it");
   } else if (sea.waves.empty()) {
@@ -147,6 +176,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   needs.water_lift =
       std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.clearance});
 
+  if (needs.ground == Ground::quadtree) needs.water_lift = 0.0;
   decide_ripples(needs, scene, pose, decide);
 }
 
@@ -263,7 +293,9 @@ bool anything_moves(const Needs& needs, const Scene& scene) {
 
 }  // namespace
 
-std::string_view name_of(Ground technique) { return technique == Ground::none ? "none" : "icosphere"; }
+std::string_view name_of(Ground technique) {
+  return technique == Ground::none ? "none" : technique == Ground::icosphere ? "icosphere" : "quadtree";
+}
 std::string_view name_of(Water technique) {
   return technique == Water::none ? "none" : technique == Water::calm ? "calm" : "waves";
 }
@@ -275,6 +307,14 @@ std::string_view name_of(SunImage technique) { return technique == SunImage::non
 std::string_view name_of(Stars technique) { return technique == Stars::none ? "none" : "noise"; }
 
 double texel_angle(int texels) { return 2.0 / texels; }
+
+Ground ground_technique(const Scene& scene) {
+  if (scene.terrain.model == model_none) return Ground::none;
+  if (scene.terrain.model == ground_icosphere) return Ground::icosphere;
+  if (scene.terrain.model == ground_quadtree) return Ground::quadtree;
+  const bool real = scene.planet.radius >= real_radius && scene.terrain.height <= real_relief * scene.planet.radius;
+  return real ? Ground::quadtree : Ground::icosphere;
+}
 
 int ground_level(const Scene& scene) {
   // From where the whole planet is seen; nearer, what the mesh can't carry comes from normals.

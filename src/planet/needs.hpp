@@ -9,7 +9,7 @@
 
 namespace terrella {
 
-enum class Ground { none, icosphere };
+enum class Ground { none, icosphere, quadtree };
 enum class Water { none, calm, waves };
 enum class Clouds { none, shell };
 enum class Air { none, fresnel };
@@ -46,6 +46,8 @@ struct Needs {
   int ground_level = 0;         // icosphere level of the finished ground
   double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii
   int ground_texels = 0;        // side of a face of its map
+  double ground_split = 0;      // of a ground of nodes: nearer than so many of its edges a node is split
+  int ground_deepest = 0;       // their finest level
   int pixel_octaves_first = 0;  // octaves of the ground computed at every pixel, because the map can't show them:
   int pixel_octaves_end = 0;    // [first, end); equal: none
   int water_level = 0;          // icosphere level of the sea
@@ -82,6 +84,9 @@ double footprint_below(const Scene& scene, const Pose& pose);
 
 // Distance of neighbouring texels in the middle of a cube map's face, rad.
 double texel_angle(int texels);
+
+// How the ground is drawn, which depends on nothing but the scene.
+Ground ground_technique(const Scene& scene);
 
 // The icosphere level that the ground settles on.
 int ground_level(const Scene& scene);

@@ -56,9 +56,18 @@ glm::dvec3 direction_of(double latitude, double longitude) {
   return {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
 }
 
+double least_clearance(const Scene& scene) {
+  constexpr double of_meshes = 1e-4, of_nodes = 1e-6, metres = 1.0;
+  if (ground_technique(scene) != Ground::quadtree) return of_meshes;
+  return std::min(of_nodes, metres / scene.planet.radius);
+}
+
 double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   double surface = 1.0;
-  if (has_ground(scene)) {
+  if (ground_technique(scene) == Ground::quadtree) {
+    // Finer than a hundredth of the least height above it nothing matters.
+    surface = 1.0 + f64::terrain_height_at(direction, exact_terrain_of(scene), 0.01 * least_clearance(scene)).value;
+  } else if (has_ground(scene)) {
     const f32::Terrain terrain = terrain_of(scene);
     surface = std::max({ground_radius(terrain, direction, 1e-7), drawn_ground_radius(terrain, direction, coarse_level),
                         drawn_ground_radius(terrain, direction, ground_level(scene))});
@@ -83,7 +92,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   const glm::dvec3 down_from = direction_of(camera.latitude, camera.longitude);
   const double surface = surface_radius(scene, down_from);
   const double asked = 1.0 + camera.altitude / scene.planet.radius;
-  const double distance = std::max(asked, surface + least_clearance);
+  const double distance = std::max(asked, surface + least_clearance(scene));
 
   Pose pose;
   pose.raised = asked < distance;
