@@ -13,6 +13,6 @@ void main() {
   node_slope = node_slope_at(v.part);
   node_height = node_sea.w + v.height;
   node_layers = node_around.yz;
-  node_held = vec2(node_along.w / 28.0, v.part);
+  node_held = vec2(node_along.w / float(node_cells), v.part);
   gl_Position = clip_at(surface_from_eye);
 }

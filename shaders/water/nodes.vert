@@ -13,7 +13,7 @@ void main() {
   surface_from_eye += away * v.skirt + (levels.y * away) * v.up;
   node_slope = node_slope_at(v.part);
   node_height = node_sea.w + v.height;
-  node_held = vec2(node_along.w / 28.0, v.part);
+  node_held = vec2(node_along.w / float(node_cells), v.part);
   node_layers = node_around.yz;
   gl_Position = clip_at(surface_from_eye);
 }

@@ -20,7 +20,7 @@ class Image {
  public:
   Image(int width, int height, Format format);
 
-  // texels: as many as a row has; of a format of floats.
+  // texels: no more than a row has; of a format of floats.
   void set_row(int row, std::span<const glm::vec4> texels) const;
 
   void bind(int unit) const;

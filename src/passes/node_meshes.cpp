@@ -37,29 +37,34 @@ double occluder_of(const Frame& frame) { return frame.needs.water == Water::none
 
 glm::vec4 vector(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); }
 
+NodeRanges ranges_of(const Needs& needs) { return {needs.ground_split, needs.ground_deepest, needs.ground_cells}; }
+
 }  // namespace
 
 NodeMeshes::NodeMeshes() : cache_(slots) {
+  for (std::size_t i = 0; i < textures_.size(); ++i) {
+    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
+    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(most_cells), slots, format);
+  }
+}
+
+void NodeMeshes::start_anew(const Frame& frame) {
+  relief_ = relief_of(frame.scene);
+  terrain_ = exact_terrain_of(frame.scene);
+  cells_ = frame.needs.ground_cells;
+  cache_.clear();
   std::vector<std::uint16_t> indices;
   for (unsigned coarser = 0; coarser < 16; ++coarser) {
-    const std::vector<std::uint16_t> list = node_triangles(coarser, true);
+    const std::vector<std::uint16_t> list = node_triangles(cells_, coarser, true);
     lists_.at(coarser) = {indices.size(), list.size()};
     indices.insert(indices.end(), list.begin(), list.end());
   }
   meshes_ = std::make_unique<gl::Instances>(vec4s_a_node, indices);
-  for (std::size_t i = 0; i < textures_.size(); ++i) {
-    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
-    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node, slots, format);
-  }
 }
 
 void NodeMeshes::update(const Frame& frame) {
   noise_evaluations_ = 0;
-  if (const Relief relief = relief_of(frame.scene); relief_ != relief) {
-    relief_ = relief;
-    terrain_ = exact_terrain_of(frame.scene);
-    cache_.clear();
-  }
+  if (relief_ != relief_of(frame.scene) || cells_ != frame.needs.ground_cells) start_anew(frame);
   for (const QuadNode& root : root_nodes()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
@@ -78,7 +83,7 @@ void NodeMeshes::update(const Frame& frame) {
 void NodeMeshes::choose(const Frame& frame) {
   cache_.begin_frame();
   const NodeSight sight = node_sight(frame.pose, frame.view, {0, frame.view.height}, occluder_of(frame));
-  choose_nodes(sight, eye_, {frame.needs.ground_split, frame.needs.ground_deepest}, cache_, choice_);
+  choose_nodes(sight, eye_, ranges_of(frame.needs), cache_, choice_);
 }
 
 void NodeMeshes::make_missing(const Frame& frame, double time) {
@@ -90,13 +95,14 @@ void NodeMeshes::make_missing(const Frame& frame, double time) {
 
 bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
   if (!cache_.has_room()) return false;
-  const NodeFrame made = make_node(node, terrain_, vertices_);
+  const NodeFrame made = make_node(node, cells_, terrain_, vertices_);
   const int slot = *cache_.insert(node, made);
   textures_[0]->set_row(slot, vertices_.place);
   textures_[1]->set_row(slot, vertices_.coarser);
   textures_[2]->set_row(slot, vertices_.slope);
   textures_[3]->set_row(slot, vertices_.coarser_slope);
-  noise_evaluations_ += vertices_a_node * std::int64_t{noise_per_height(scene, vertex_spacing(node.level))};
+  noise_evaluations_ +=
+      vertices_a_node(cells_) * std::int64_t{noise_per_height(scene, vertex_spacing(node.level, cells_))};
   return true;
 }
 
@@ -108,7 +114,7 @@ void NodeMeshes::pack(const Frame& frame) {
   const auto add = [&](const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
     const auto& [middle, base, half_width, heights] = entry.frame;
-    const double spacing = vertex_spacing(entry.node.level);
+    const double spacing = vertex_spacing(entry.node.level, cells_);
     const int held = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * spacing);
     instances_.push_back(vector((1.0 + base) * middle - frame.pose.eye, drawn.slot));
     instances_.push_back(vector(middle, base));
@@ -119,10 +125,11 @@ void NodeMeshes::pack(const Frame& frame) {
   const bool water = frame.needs.water != Water::none;
   const auto has = [&](Layer layer, const DrawnNode& drawn) {
     const NodeFrame& node = cache_.at(drawn.slot).frame;
-    const double spacing = vertex_spacing(cache_.at(drawn.slot).node.level);
+    const double spacing = vertex_spacing(cache_.at(drawn.slot).node.level, cells_);
     const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
     if (layer == Layer::ground) return !water || !above_sea || 1.0 + node.heights.highest >= lowest_sea;
-    return water && 1.0 + node.heights.lowest <= sea + frame.needs.water_lift;
+    const double away = glm::distance(frame.pose.eye, node.middle) + node.half_width;
+    return water && 1.0 + node.heights.lowest <= sea + frame.needs.water_lift * away;
   };
   for (const Layer layer : {Layer::ground, Layer::sea}) {
     for (unsigned list = 0; list < 16; ++list) {
@@ -139,7 +146,8 @@ void NodeMeshes::pack(const Frame& frame) {
 
 void NodeMeshes::draw(const Frame& frame, const gl::Program& program, Layer layer) const {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
-  const NodeRanges ranges = {frame.needs.ground_split, frame.needs.ground_deepest};
+  const NodeRanges ranges = ranges_of(frame.needs);
+  program.set("node_cells", cells_);
   program.set("node_morph", static_cast<float>(ranges.morph_begin()), static_cast<float>(ranges.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
   for (std::size_t list = 0; list < 16; ++list) {

@@ -35,9 +35,12 @@ class NodeMeshes {
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
+  // Forgets what was made for nodes of other cells or another relief.
+  void start_anew(const Frame& frame);
   void choose(const Frame& frame);
   // Makes those that are missing until they or the time (ms) come to an end.
   void make_missing(const Frame& frame, double time);
+  // Returns whether there was room.
   bool make(const Scene& scene, const QuadNode& node);
   void pack(const Frame& frame);
 
@@ -51,6 +54,7 @@ class NodeMeshes {
   NodeEye eye_;
   NodeVertices vertices_;
   std::optional<Relief> relief_;
+  int cells_ = 0;
   f64::Terrain terrain_{};
   std::array<std::unique_ptr<gl::Image>, 4> textures_;
   std::array<Run, 17> lists_;  // of the triangles, by the sides with coarser neighbours; and the end

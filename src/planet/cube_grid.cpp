@@ -76,12 +76,13 @@ QuadNode parent_of(const QuadNode& node) {
   return {node.face, node.level - 1, node.x / 2, node.y / 2};
 }
 
-glm::dvec3 vertex_direction(const QuadNode& node, int i, int j) {
-  return direction_on(node.face, from_middle(double{node_cells} * node.x + i, node.level, node_cells),
-                      from_middle(double{node_cells} * node.y + j, node.level, node_cells));
+glm::dvec3 vertex_direction(const QuadNode& node, int i, int j, int cells) {
+  const double many = cells;
+  return direction_on(node.face, from_middle(many * node.x + i, node.level, cells),
+                      from_middle(many * node.y + j, node.level, cells));
 }
 
-glm::dvec3 middle_of(const QuadNode& node) { return vertex_direction(node, node_cells / 2, node_cells / 2); }
+glm::dvec3 middle_of(const QuadNode& node) { return vertex_direction(node, 1, 1, 2); }
 
 double node_edge(int level) {
   // In the middle of a face a place of 1 covers a radian; tangents spread by a quarter turn a side do so all along.

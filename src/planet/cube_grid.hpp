@@ -9,11 +9,11 @@
 
 namespace terrella {
 
-// Cells along a side of a node; its vertices are one more. A multiple of four, so that the node's own parent and its
-// neighbours share every second of them.
-inline constexpr int node_cells = 28;
+// Cells along a side of a node, at the most; its vertices are one more (Andrei, section 2). An even number, so that a
+// node's parent has every second of its vertices.
+inline constexpr int most_cells = 28, least_cells = 8;
 
-// Nodes this small are 20 cm wide on a planet of 1e8 m, their cells 7 mm.
+// Nodes this small are 30 cm wide on a planet of 1e8 m, their cells 1 cm.
 inline constexpr int deepest_level = 29;
 
 // A square of a face of the cube, numbered as OpenGL numbers faces (cube_face_direction).
@@ -30,9 +30,9 @@ std::array<QuadNode, 4> children_of(const QuadNode& node);
 // Of a node of level 1 or more.
 QuadNode parent_of(const QuadNode& node);
 
-// Unit vector to a vertex. i, j: 0..node_cells along x and y. The same bits for every node that has the vertex,
-// whatever its level, on machines that do not fuse products and sums.
-glm::dvec3 vertex_direction(const QuadNode& node, int i, int j);
+// Unit vector to a vertex. i, j: 0..cells along x and y. The same bits for every node that has the vertex, whatever its
+// level, on machines that do not fuse products and sums.
+glm::dvec3 vertex_direction(const QuadNode& node, int i, int j, int cells);
 
 // Unit vector to the middle.
 glm::dvec3 middle_of(const QuadNode& node);
@@ -41,7 +41,7 @@ glm::dvec3 middle_of(const QuadNode& node);
 double node_edge(int level);
 
 // Distance of the vertices of a level, at the most, rad.
-inline double vertex_spacing(int level) { return node_edge(level) / node_cells; }
+inline double vertex_spacing(int level, int cells) { return node_edge(level) / cells; }
 
 // The node of a level that a direction (not 0) passes through.
 QuadNode node_at(const glm::dvec3& direction, int level);

@@ -38,7 +38,13 @@ double change_by_craters(const f64::Craters& craters, double footprint, double a
 
 }  // namespace
 
-HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart) {
+bool may_freeze(const f64::Ice& ice, const glm::dvec3& direction, double distance) {
+  constexpr double ragged = 0.08;  // as far as floes reach beyond their latitude (ice_near in lib/ice.glsl)
+  return ice.sine <= 1.0 && ice.sea > 0.0 && std::abs(direction.z) + distance > ice.sine - ragged;
+}
+
+HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart,
+                           bool may_freeze) {
   HeightRange range = computed;
   if (terrain.octaves > 0 && terrain.height > 0.0 && terrain.power > 0.0) {
     // In the sum of layers, before the power that makes plains flat: there changes are the same at any height.
@@ -50,9 +56,8 @@ HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& compu
     };
     range = {changed(computed.lowest, -change), changed(computed.highest, change)};
   }
-  // Ice lies over what is lower, wherever it may be: its own thickness is all that it can change from place to place.
-  if (terrain.ice.sine <= 1.0 && terrain.ice.sea > 0.0)
-    range.highest = std::max(range.highest, std::max(computed.highest, terrain.ice.sea + f64::ice_thickness));
+  // Ice lies over what is lower: its own thickness is all that it can change from place to place.
+  if (may_freeze) range.highest = std::max({range.highest, computed.highest, terrain.ice.sea + f64::ice_thickness});
   return range;
 }
 

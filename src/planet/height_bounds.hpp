@@ -14,6 +14,11 @@ struct HeightRange {
 // (rad) apart, and lie within `computed`. Told from how steep its layers can be and how strong those are that the
 // samples left out; never too narrow, and wider than the truth by about as much as hills of the size of `apart` are
 // high.
-HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart);
+// may_freeze: whether ice may lie between those places.
+HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart,
+                           bool may_freeze);
+
+// Whether ice may lie within a distance (rad) of a direction (unit).
+bool may_freeze(const f64::Ice& ice, const glm::dvec3& direction, double distance);
 
 }  // namespace terrella

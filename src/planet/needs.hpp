@@ -48,10 +48,12 @@ struct Needs {
   int ground_texels = 0;        // side of a face of its map
   double ground_split = 0;      // of a ground of nodes: nearer than so many of its edges a node is split
   int ground_deepest = 0;       // their finest level
+  int ground_cells = 0;         // along a side of each
   int pixel_octaves_first = 0;  // octaves of the ground computed at every pixel, because the map can't show them:
   int pixel_octaves_end = 0;    // [first, end); equal: none
   int water_level = 0;          // icosphere level of the sea
-  double water_lift = 0;        // by how much its mesh is raised, radii; never more than may be seen
+  double water_lift = 0;        // by how much its mesh is raised, radii, or of nodes parts of the distance; never more than
+                                // may be seen
   int ripple_layers = 0;        // of small waves as flow noise at every pixel of a calm sea, and of its crust
   int cloud_level = 0;          // icosphere level of the shell of clouds
   int cloud_octaves = 0;        // that the map of the clouds holds, the finest maybe in part

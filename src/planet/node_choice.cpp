@@ -117,7 +117,7 @@ class Choice {
   // Hidden by the occluder, however high the ground rises over the node.
   [[nodiscard]] bool behind_horizon(const NodeFrame& frame) const {
     const double r = sight_.occluder, distance = glm::length(sight_.eye);
-    if (distance <= r) return false;
+    if (r <= 0.0 || distance <= r) return false;
     const double top = std::max(1.0 + frame.heights.highest - r, 0.0);
     const double away = f64::angle_between(frame.middle, sight_.eye);
     return away > f64::hidden_angle(r, distance - r, top) + 2.0 * std::asin(std::min(0.5 * frame.half_width, 1.0));

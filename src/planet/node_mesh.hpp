@@ -2,7 +2,6 @@
 // node's middle, so that single precision suffices from there on. Lengths in planet radii.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,16 +14,15 @@
 
 namespace terrella {
 
-// Along a side, and of a node; row after row, x first.
-inline constexpr int vertices_a_row = node_cells + 1;
-inline constexpr int vertices_a_node = vertices_a_row * vertices_a_row;
+// Of a node with so many cells along a side; row after row, x first.
+constexpr int vertices_a_node(int cells) { return (cells + 1) * (cells + 1); }
 
 // A vertex as its level of detail has it, and by how much that changes where the level gives way to the coarser one.
 struct NodeVertices {
-  std::array<glm::vec4, vertices_a_node> place;    // xyz: from the node's centre; w: height over its base
-  std::array<glm::vec4, vertices_a_node> coarser;  // what is to be added to them
-  std::array<glm::vec4, vertices_a_node> slope;    // xyz: gradient of the height, along the sphere; w: openness
-  std::array<glm::vec4, vertices_a_node> coarser_slope;
+  std::vector<glm::vec4> place;    // xyz: from the node's centre; w: height over its base
+  std::vector<glm::vec4> coarser;  // what is to be added to them
+  std::vector<glm::vec4> slope;    // xyz: gradient of the height, along the sphere; w: openness
+  std::vector<glm::vec4> coarser_slope;
 };
 
 // A node's place in the world.
@@ -38,14 +36,15 @@ struct NodeFrame {
 // Heights are those that vertices of the node's level can carry; the coarser ones those of the level above, at every
 // second vertex, and between these on the straight edges of its triangles: vertices that both levels have come out the
 // same, but for rounding to single precision.
-NodeFrame make_node(const QuadNode& node, const f64::Terrain& terrain, NodeVertices& vertices);
+// cells: along a side, even, least_cells..most_cells.
+NodeFrame make_node(const QuadNode& node, int cells, const f64::Terrain& terrain, NodeVertices& vertices);
 
 // Beyond the vertices of a node its rim once more, for skirts: from the corner x = y = 0 along x first and around.
-inline constexpr int vertices_a_rim = 4 * node_cells;
+constexpr int vertices_a_rim(int cells) { return 4 * cells; }
 
 // Three vertices a triangle, counter-clockwise from outside. coarser: a bit for each of `sides`, by number, where the
 // neighbour is of the level above: every second vertex of that side is left out, so that each edge there is one of the
 // neighbour's. skirt: whether a skirt hangs from the rim.
-std::vector<std::uint16_t> node_triangles(unsigned coarser, bool skirt);
+std::vector<std::uint16_t> node_triangles(int cells, unsigned coarser, bool skirt);
 
 }  // namespace terrella

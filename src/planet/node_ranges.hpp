@@ -27,6 +27,7 @@ NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose);
 struct NodeRanges {
   double split = 2.5;  // nearer than this a node is split in four
   int deepest = deepest_level;
+  int cells = most_cells;  // along a side of a node
 
   // From where to where a vertex passes from its own shape to that of the level above. Where it begins, no finer node
   // is left: those reach a node's diagonal further than they are wanted. Where it ends, the level above is fine enough.

@@ -15,6 +15,8 @@ namespace {
 
 using test::Places;
 
+constexpr int cells = 28;
+
 // A node of a level at random.
 QuadNode some_node(Places& places, int level) { return node_at(places.on_sphere(), level); }
 
@@ -46,10 +48,11 @@ TEST(CubeGrid, HasTheSameVerticesWhateverTheNode) {
   Places places(3);
   for (const int level : {1, 2, 8, 20, deepest_level}) {
     const QuadNode node = some_node(places, level), above = parent_of(node);
-    const int first_i = node.x % 2 == 0 ? 0 : node_cells / 2, first_j = node.y % 2 == 0 ? 0 : node_cells / 2;
-    for (int j = 0; j <= node_cells; j += 2) {
-      for (int i = 0; i <= node_cells; i += 2)
-        EXPECT_EQ(vertex_direction(node, i, j), vertex_direction(above, first_i + i / 2, first_j + j / 2));
+    const int first_i = node.x % 2 == 0 ? 0 : cells / 2, first_j = node.y % 2 == 0 ? 0 : cells / 2;
+    for (int j = 0; j <= cells; j += 2) {
+      for (int i = 0; i <= cells; i += 2)
+        EXPECT_EQ(vertex_direction(node, i, j, cells),
+                  vertex_direction(above, first_i + i / 2, first_j + j / 2, cells));
     }
   }
 }
@@ -57,10 +60,10 @@ TEST(CubeGrid, HasTheSameVerticesWhateverTheNode) {
 // The vertices of a side, from one end to the other.
 std::vector<glm::dvec3> vertices_along(const QuadNode& node, Side side) {
   std::vector<glm::dvec3> vertices;
-  for (int k = 0; k <= node_cells; ++k) {
+  for (int k = 0; k <= cells; ++k) {
     const bool along_y = side == Side::left || side == Side::right;
-    const int out = side == Side::right || side == Side::top ? node_cells : 0;
-    vertices.push_back(along_y ? vertex_direction(node, out, k) : vertex_direction(node, k, out));
+    const int out = side == Side::right || side == Side::top ? cells : 0;
+    vertices.push_back(along_y ? vertex_direction(node, out, k, cells) : vertex_direction(node, k, out, cells));
   }
   return vertices;
 }
@@ -93,7 +96,7 @@ TEST(CubeGrid, EdgeIsTheLongestSide) {
     for (std::uint32_t y = 0; y < count; ++y) {
       for (std::uint32_t x = 0; x < count; ++x) {
         const QuadNode node = {0, level, x, y};
-        const glm::dvec3 a = vertex_direction(node, 0, 0), b = vertex_direction(node, node_cells, 0);
+        const glm::dvec3 a = vertex_direction(node, 0, 0, cells), b = vertex_direction(node, cells, 0, cells);
         const double edge = 2.0 * std::asin(0.5 * glm::distance(a, b));
         longest = std::max(longest, edge);
         shortest = std::min(shortest, edge);

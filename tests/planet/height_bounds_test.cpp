@@ -25,18 +25,18 @@ TEST(HeightBounds, HoldTheWholeGround) {
       HeightRange computed = {1e300, -1e300};
       for (int k = 0; k < (samples + 1) * (samples + 1); ++k) {
         const int i = k % (samples + 1), j = k / (samples + 1);
-        const glm::dvec3 d = vertex_direction(node, i * node_cells / samples, j * node_cells / samples);
+        const glm::dvec3 d = vertex_direction(node, i, j, samples);
         const double height = f64::terrain_height_at(d, terrain, apart).value;
         computed = {std::min(computed.lowest, height), std::max(computed.highest, height)};
       }
       // The vertices of the node lie unevenly by half a cell.
-      const HeightRange range = heights_around(terrain, computed, apart, 0.8 * apart);
+      const HeightRange range = heights_around(terrain, computed, apart, 0.8 * apart,
+                                               may_freeze(terrain.ice, middle_of(node), node_edge(level)));
       EXPECT_LE(range.highest - range.lowest, 1.3 * terrain.height + 0.1);
       for (int n = 0; n < 400; ++n) {
         const glm::dvec3 place = glm::normalize(glm::mix(
-            glm::mix(vertex_direction(node, 0, 0), vertex_direction(node, node_cells, 0), places.between(0.0, 1.0)),
-            glm::mix(vertex_direction(node, 0, node_cells), vertex_direction(node, node_cells, node_cells),
-                     places.between(0.0, 1.0)),
+            glm::mix(vertex_direction(node, 0, 0, 2), vertex_direction(node, 2, 0, 2), places.between(0.0, 1.0)),
+            glm::mix(vertex_direction(node, 0, 2, 2), vertex_direction(node, 2, 2, 2), places.between(0.0, 1.0)),
             places.between(0.0, 1.0)));
         if (!(node_at(place, level) == node)) continue;
         const double height = f64::terrain_height_at(place, terrain, 0.0).value;

@@ -57,7 +57,7 @@ TEST(Pose, NeverStandsUnderGroundOrSea) {
       scene.camera.latitude = places.between(-90.0, 90.0);
       scene.camera.longitude = places.between(-180.0, 180.0);
       const Pose pose = pose_of(scene, {});
-      EXPECT_GE(glm::length(pose.eye), surface_radius(scene, glm::normalize(pose.eye)) + 0.99 * least_clearance);
+      EXPECT_GE(glm::length(pose.eye), surface_radius(scene, glm::normalize(pose.eye)) + 0.99 * least_clearance(scene));
       EXPECT_TRUE(pose.raised);
     }
   }
