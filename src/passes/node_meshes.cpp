@@ -10,8 +10,8 @@
 namespace terrella {
 namespace {
 
-// Of which a picture draws one to three hundred; the rest is what it would draw from other places.
-constexpr int slots = 1024;
+// Of which a picture draws one to six hundred; the rest is what it would draw from other places.
+constexpr int slots = 2048;
 constexpr int vec4s_a_node = 5;
 
 // For new nodes, in one frame of a picture that moves.
@@ -41,18 +41,17 @@ NodeRanges ranges_of(const Needs& needs) { return {needs.ground_split, needs.gro
 
 }  // namespace
 
-NodeMeshes::NodeMeshes() : cache_(slots) {
-  for (std::size_t i = 0; i < textures_.size(); ++i) {
-    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
-    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(most_cells), slots, format);
-  }
-}
+NodeMeshes::NodeMeshes() : cache_(slots) {}
 
 void NodeMeshes::start_anew(const Frame& frame) {
   relief_ = relief_of(frame.scene);
   terrain_ = exact_terrain_of(frame.scene);
   cells_ = frame.needs.ground_cells;
   cache_.clear();
+  for (std::size_t i = 0; i < textures_.size(); ++i) {
+    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
+    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(cells_), slots, format);
+  }
   std::vector<std::uint16_t> indices;
   for (unsigned coarser = 0; coarser < 16; ++coarser) {
     const std::vector<std::uint16_t> list = node_triangles(cells_, coarser, true);
@@ -94,7 +93,8 @@ void NodeMeshes::make_missing(const Frame& frame, double time) {
 }
 
 bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
-  if (!cache_.has_room()) return false;
+  is_full_ = !cache_.has_room();
+  if (is_full_) return false;
   const NodeFrame made = make_node(node, cells_, terrain_, vertices_);
   const int slot = *cache_.insert(node, made);
   textures_[0]->set_row(slot, vertices_.place);

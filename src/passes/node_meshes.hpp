@@ -30,8 +30,8 @@ class NodeMeshes {
   // program: in use, its vertices by shaders/node_vertex.glsl.
   void draw(const Frame& frame, const gl::Program& program, Layer layer) const;
 
-  // Whether nothing is missing.
-  [[nodiscard]] bool settled() const { return choice_.missing.empty(); }
+  // Whether nothing is missing that there is room for.
+  [[nodiscard]] bool settled() const { return choice_.missing.empty() || is_full_; }
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
@@ -61,6 +61,7 @@ class NodeMeshes {
   std::unique_ptr<gl::Instances> meshes_;
   std::array<std::array<Run, 16>, 2> runs_;  // of the layers
   std::vector<glm::vec4> instances_;
+  bool is_full_ = false;
   std::int64_t noise_evaluations_ = 0;
 };
 
