@@ -28,6 +28,9 @@ double fov_between(double from, double to, double share) {
   return glm::degrees(2.0 * std::atan(tangent));
 }
 
+// Half the angle under which the planet is seen, rad.
+double half_of_planet(double clearance) { return std::asin(1.0 / (1.0 + clearance)); }
+
 // The axis of a great circle through two places, around which one gets to the other by less than half a turn. Where any
 // would do, it leads over the poles; between the poles, over longitude 90 degrees. From antipode to antipode it is the
 // same circle there and back.
@@ -105,13 +108,21 @@ double Flight::smooth_ground(double part) const {
   return sum / weights;
 }
 
+// Of the view from straight down, degrees. Where the flight rises over a straight one between its ends, the planet
+// would sink out of the picture: so it tilts down as the planet gets smaller by that.
+double Flight::tilt(double clearance, double part) const {
+  const double straight = from_.clearance * std::pow(to_.clearance / from_.clearance, part);
+  const double asked = 90.0 + std::lerp(from_.camera.pitch, to_.camera.pitch, eased(part));
+  return asked * half_of_planet(clearance) / half_of_planet(straight);
+}
+
 // All but the way and the turn, which depend on the end that they are told from.
 Step Flight::step(double part) const {
   const double gently = eased(part);
   Step step;
   step.ground = smooth_ground(part) + std::lerp(from_.residual, to_.residual, part);
   step.clearance = part < 0.5 ? glide_.from_start(part).height : glide_.from_end(part).height;
-  step.pitch = std::lerp(from_.camera.pitch, to_.camera.pitch, gently);
+  step.pitch = std::clamp(tilt(step.clearance, part) - 90.0, -90.0, 90.0);
   step.fov = fov_between(from_.camera.fov, to_.camera.fov, gently);
   return step;
 }

@@ -39,7 +39,8 @@ class Flight {
 
   // The view at a part of it, 0..1: equal steps are perceived as equally fast. Exactly from() and to() at the ends. The
   // clearance over the ground is that of a Glide, so straight down it falls by the same factor for equal steps; turns
-  // begin and end gently. Where hills would be in the way, it is for pose_of to rise above them.
+  // begin and end gently, the short way (half a turn: either). Where it rises, it looks down as far as the planet needs
+  // to stay in the picture. Where hills would be in the way, it is for pose_of to rise above them.
   [[nodiscard]] Camera at(double part) const;
 
   // The same, told from what faces ahead at one of the ends. It goes on beyond both of them, where nothing turns.
@@ -57,6 +58,7 @@ class Flight {
   static End end_of(const Scene& scene, const Camera& camera);
   void lay_great_circle();
   [[nodiscard]] double smooth_ground(double part) const;
+  [[nodiscard]] double tilt(double clearance, double part) const;
   [[nodiscard]] Step step(double part) const;
 
   Scene scene_;

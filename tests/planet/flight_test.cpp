@@ -250,6 +250,21 @@ TEST(Flight, TurnsTheShortWayAndGently) {
   EXPECT_NEAR(pole.length(), 0.0, 1e-9);
 }
 
+// From high up it looks down, so that as much of the picture shows the planet as at the ends.
+TEST(Flight, KeepsThePlanetInThePicture) {
+  const auto above_horizon = [](const Camera& of) {
+    return (of.pitch + 90.0) / glm::degrees(std::asin(1.0 / (1.0 + of.altitude)));
+  };
+  Camera from = camera(10.0, 0.0, 0.03), to = camera(-40.0, 120.0, 0.03);
+  from.pitch = to.pitch = -12.0;
+  const Flight flight(bare(), from, to);
+  EXPECT_GT(flight.at(0.5).altitude, 1.0);
+  for (int n = 0; n <= 50; ++n) EXPECT_NEAR(above_horizon(flight.at(0.02 * n)), above_horizon(from), 1e-9);
+  // Straight down nothing but the views asks for a tilt.
+  from.latitude = to.latitude, from.longitude = to.longitude, from.altitude = 50.0;
+  EXPECT_NEAR(Flight(bare(), from, to).at(0.3).pitch, -12.0, 1e-9);
+}
+
 TEST(Flight, ThatChangesNothingHasNoLength) {
   test::Places places(7U);
   for (int i = 0; i < 100; ++i) {
