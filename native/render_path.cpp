@@ -1,5 +1,6 @@
 #include "native/render_path.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -34,6 +35,13 @@ std::string camera_json(const PathView& view) {
   return json + text_of("\"at\": ", view.at ? format_number(*view.at) : "null", "}");
 }
 
+// What may follow a sentence about the number of pictures.
+std::string at_thirty_a_second(double seconds) {
+  const double frames = std::round(30.0 * seconds) + 1.0;
+  if (frames > most_frames) return {};
+  return text_of("; it takes ", printed_number(seconds, 4), " s, in which ", frames, " are 30 a second");
+}
+
 // All that the pictures depend on, a member a line. The camera of the scene is where the first view has it from.
 std::string about(const PathTask& task) {
   const PictureTask& picture = task.picture;
@@ -56,7 +64,6 @@ std::string about(const PathTask& task) {
   return json + "  ]\n}\n";
 }
 
-// Draws one picture; an empty one never comes of it.
 using Draw = std::function<Image(const PictureTask&)>;
 
 // Returns what went wrong, or nothing.
@@ -107,12 +114,14 @@ std::optional<PathTask> understand_path(const PathOptions& options, const Pictur
   if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= longest)) {
     found.add("--seconds", text_of("must be a number over 0, at most ", longest, "."));
   }
+  std::optional<PathTask> task;
+  if (found.empty()) task = PathTask{options, picture, views, Journey(picture.scene, views)};
   if (options.frames < 1 || options.frames > most_frames) {
-    found.add("--frames", text_of("must say how many pictures of the path to draw, 1 to ", most_frames, "."));
+    found.add("--frames", text_of("must say how many pictures of the path to draw, 1 to ", most_frames,
+                                  task ? at_thirty_a_second(task->seconds()) : std::string(), "."));
   }
   issues.add(found);
-  if (!found.empty()) return std::nullopt;
-  return PathTask{options, picture, views, Journey(picture.scene, views)};
+  return found.empty() ? task : std::nullopt;
 }
 
 PictureTask picture_of(const PathTask& task, int index) {

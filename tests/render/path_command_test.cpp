@@ -186,8 +186,10 @@ TEST_F(PathCommand, MeasuresAndAsksTheReferenceToo) {
 
 TEST_F(PathCommand, SaysWhatIsWrongAndWritesNothing) {
   const std::pair<std::string, std::string> cases[] = {
-      {"", "--frames: must say how many pictures of the path to draw, 1 to 1000000.\n"},
-      {"--frames -3", "--frames: must say how many pictures of the path to draw, 1 to 1000000.\n"},
+      {"",
+       "--frames: must say how many pictures of the path to draw, 1 to 1000000; it takes 4 s, in which 121 are 30 a "
+       "second.\n"},
+      {"--frames -3 --seconds 1e6", "--frames: must say how many pictures of the path to draw, 1 to 1000000.\n"},
       {"--frames 3 --seconds 0", "--seconds: must be a number over 0, at most 1e9.\n"},
       {"--frames 3 --seconds nan", "--seconds: must be a number over 0, at most 1e9.\n"},
       {"--frames 3 --why", "--why: is for a single picture; leave it out, or leave out --path.\n"},
