@@ -1,5 +1,6 @@
 #include "native/cmd_render.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -42,16 +43,14 @@ bool ends_with(const std::string& text, std::string_view end) {
 }
 
 void read_channel(const std::string& text, PictureTask& task, Issues& issues) {
-  static constexpr std::string_view names[] = {"color", "distance", "normal", "height"};
-  for (int i = 0; i < 4; ++i) {
-    if (text == names[i]) {
-      task.channel = static_cast<Channel>(i);
-      return;
-    }
+  const auto found = std::find(channel_names.begin(), channel_names.end(), text);
+  if (found != channel_names.end()) {
+    task.channel = static_cast<Channel>(found - channel_names.begin());
+    return;
   }
   issues.add("--channel",
              text_of(json_quoted(shortened(text)), " is not a channel; there are color, distance, normal and height",
-                     did_you_mean(nearest_name(text, names))));
+                     did_you_mean(nearest_name(text, channel_names))));
 }
 
 // What belongs to drawing by the GPU alone.

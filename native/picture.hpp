@@ -1,8 +1,10 @@
 // One picture, as `terrella render` draws it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "app/still.hpp"
 #include "base/image.hpp"
@@ -10,6 +12,9 @@
 #include "scene/scene.hpp"
 
 namespace terrella {
+
+// By the order of Channel.
+inline constexpr std::array<std::string_view, 4> channel_names = {"color", "distance", "normal", "height"};
 
 struct PictureTask {
   Scene scene;

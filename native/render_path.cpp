@@ -51,7 +51,7 @@ std::string about(const PathTask& task) {
   json += member("seconds", format_number(task.seconds()));
   json += member("time", format_number(picture.still.seconds));
   json += member("samples", text_of(picture.still.samples));
-  json += member("channel", text_of(static_cast<int>(picture.channel)));
+  json += member("channel", json_quoted(channel_names.at(static_cast<std::size_t>(picture.channel))));
   json += member("transparent", text_of(picture.still.transparent));
   json += member("format", json_quoted(picture.pfm ? "pfm" : "png"));
   json += member("drawn_by", json_quoted(task.options.reference ? "reference" : task.options.gl));
