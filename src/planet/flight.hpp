@@ -37,6 +37,9 @@ class Flight {
   // mean no faster than 45 degrees or a doubling of what is magnified a unit. 0: it changes nothing.
   [[nodiscard]] double length() const { return length_; }
 
+  // Whether place or height change by more than rounding does; else it turns at most.
+  [[nodiscard]] bool moves() const { return glide_.length() > 1e-9; }
+
   // The view at a part of it, 0..1: equal steps are perceived as equally fast. Exactly from() and to() at the ends. The
   // clearance over the ground is that of a Glide, so straight down it falls by the same factor for equal steps; turns
   // begin and end gently, the short way (half a turn: either). Where it rises, it looks down as far as the planet needs

@@ -55,7 +55,7 @@ Camera Journey::at(double seconds) const {
 }
 
 bool Journey::flies_through(std::size_t view) const {
-  return view > 0 && view < flights_.size() && flights_[view - 1].length() > 0.0 && flights_[view].length() > 0.0;
+  return view > 0 && view < flights_.size() && flights_[view - 1].moves() && flights_[view].moves();
 }
 
 double Journey::around(std::size_t view) const {
@@ -64,6 +64,7 @@ double Journey::around(std::size_t view) const {
 
 double Journey::part_of(std::size_t flight, double seconds) const {
   const double x = (seconds - times_[flight]) / (times_[flight + 1] - times_[flight]);
+  if (!flights_[flight].moves()) return x;
   return part_between(x, flies_through(flight) ? 1.0 : 0.0, flies_through(flight + 1) ? 1.0 : 0.0);
 }
 

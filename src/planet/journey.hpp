@@ -20,16 +20,17 @@ class Journey {
   [[nodiscard]] double seconds() const { return times_.back(); }
 
   // The view at a time; before and after the journey, at its ends, exactly these. It begins and ends at rest, and also
-  // rests between two views that are the same. All other views it flies through without a stop: from a quarter of the
-  // flight before (or after, if that is shorter) to a quarter of the flight after, the camera passes from one flight to
-  // the next, so that neither its velocity nor its turning ever jumps.
+  // rests between two views from one place and height, where it turns at most. All other views it flies through without
+  // a stop: from a quarter of the flight before (or after, if that is shorter) to a quarter of the flight after, the
+  // camera passes from one flight to the next, so that neither its velocity nor its turning ever jumps.
   [[nodiscard]] Camera at(double seconds) const;
 
  private:
   [[nodiscard]] bool flies_through(std::size_t view) const;
   // Half of the time in which it passes a view, s.
   [[nodiscard]] double around(std::size_t view) const;
-  // Which part of a flight is done; it goes on beyond its ends where views are flown through.
+  // Which part of a flight is done; it goes on beyond its ends where views are flown through. What only turns begins
+  // and ends gently by itself.
   [[nodiscard]] double part_of(std::size_t flight, double seconds) const;
   [[nodiscard]] Camera passing(std::size_t view, double seconds) const;
 

@@ -104,13 +104,20 @@ TEST(Journey, BeginsAndEndsAtRestAndFliesThroughTheRest) {
   EXPECT_NEAR(speed(4.0), speed(3.0), 0.3 * speed(3.0));
 }
 
-TEST(Journey, RestsBetweenViewsThatAreTheSame) {
-  const Journey journey(bare(), std::vector{view(0.0, 0.0, 1.0, 0.0), view(0.0, 0.0, 0.1, 5.0),
-                                            view(0.0, 0.0, 0.1, 8.0), view(0.0, 50.0, 0.1, 12.0)});
-  for (double at = 5.0; at <= 8.0; at += 0.25) {
-    EXPECT_LT(glm::distance(eye(journey.at(at)), eye(view(0.0, 0.0, 0.1).camera)), 1e-12);
+// Also while it turns there, it does not drift past the place and back.
+TEST(Journey, RestsBetweenViewsFromOnePlace) {
+  for (const double heading : {0.0, 360.0, 90.0}) {
+    std::vector<PathView> views = {view(0.0, 0.0, 1.0, 0.0), view(0.0, 0.0, 0.1, 5.0), view(0.0, 0.0, 0.1, 8.0),
+                                   view(0.0, 50.0, 0.1, 12.0)};
+    views[2].camera.heading = heading;
+    const Journey journey(bare(), views);
+    for (double at = 5.0; at <= 8.0; at += 0.25) {
+      EXPECT_LT(glm::distance(eye(journey.at(at)), eye(view(0.0, 0.0, 0.1).camera)), 1e-12);
+    }
+    EXPECT_NEAR(std::remainder(journey.at(6.5).heading - 0.5 * std::remainder(heading, 360.0), 360.0), 0.0, 1e-9);
+    EXPECT_GT(journey.at(4.9).altitude, 0.1);
+    EXPECT_GT(journey.at(8.3).longitude, 0.0);
   }
-  EXPECT_GT(journey.at(4.9).altitude, 0.1);
 }
 
 TEST(Journey, IsFiniteWhateverItsViews) {
