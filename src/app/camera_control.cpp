@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "formulas/formulas.hpp"
+#include "planet/facing.hpp"
 
 namespace terrella {
 namespace {
@@ -24,25 +25,8 @@ double wrapped(double degrees) { return std::remainder(degrees, 360.0); }
 // Moves the place under the camera along the sphere by angles to the right and ahead, and carries the heading along, so
 // that the view does not turn: also over a pole.
 void move_over(Scene& scene, double right_angle, double ahead_angle) {
-  auto& camera = scene.camera;
-  const glm::dvec3 place = direction_of(camera.latitude, camera.longitude);
-  const double lon = glm::radians(camera.longitude), heading = glm::radians(camera.heading);
-  const glm::dvec3 east(-std::sin(lon), std::cos(lon), 0.0);
-  const glm::dvec3 north = glm::cross(place, east);
-  const glm::dvec3 ahead = std::cos(heading) * north + std::sin(heading) * east;
-  const glm::dvec3 right = std::cos(heading) * east - std::sin(heading) * north;
-  const double angle = std::hypot(right_angle, ahead_angle);
-  if (angle == 0.0) return;
-  const glm::dvec3 along = (right_angle * right + ahead_angle * ahead) / angle;
-  const glm::dvec3 moved = std::cos(angle) * place + std::sin(angle) * along;
-  const glm::dvec3 along_moved = std::cos(angle) * along - std::sin(angle) * place;
-  const glm::dvec3 ahead_moved = ahead + glm::dot(ahead, along) * (along_moved - along);
-  camera.latitude = glm::degrees(std::asin(std::clamp(moved.z, -1.0, 1.0)));
-  camera.longitude = glm::degrees(std::atan2(moved.y, moved.x));
-  const double new_lon = glm::radians(camera.longitude);
-  const glm::dvec3 new_east(-std::sin(new_lon), std::cos(new_lon), 0.0);
-  const glm::dvec3 new_north = glm::cross(moved, new_east);
-  camera.heading = wrapped(glm::degrees(std::atan2(glm::dot(ahead_moved, new_east), glm::dot(ahead_moved, new_north))));
+  if (right_angle == 0.0 && ahead_angle == 0.0) return;
+  set_facing(scene.camera, carried(facing_of(scene.camera), {right_angle, ahead_angle}));
 }
 
 // Angle over the ground of a pixel's width, as near the middle of the picture. Far away a drag over the whole picture
@@ -101,14 +85,10 @@ void CameraControl::zoom_now(Scene& scene, const View& view, double factor, glm:
   const glm::dvec3 target = ground_point(pose, ray_through(pose, view, toward));
   const double away = std::min(f64::angle_between(place, target), 1.0);
   if (away > 1e-9) {
-    const double heading = glm::radians(scene.camera.heading), lon = glm::radians(scene.camera.longitude);
-    const glm::dvec3 east(-std::sin(lon), std::cos(lon), 0.0);
-    const glm::dvec3 north = glm::cross(place, east);
-    const glm::dvec3 ahead = std::cos(heading) * north + std::sin(heading) * east;
-    const glm::dvec3 right = std::cos(heading) * east - std::sin(heading) * north;
+    const Facing facing = facing_of(scene.camera);
     const glm::dvec3 toward_target = glm::normalize(target - glm::dot(target, place) * place);
     const double step = away * std::max(share, -0.5);
-    move_over(scene, step * glm::dot(toward_target, right), step * glm::dot(toward_target, ahead));
+    move_over(scene, step * glm::dot(toward_target, right_of(facing)), step * glm::dot(toward_target, facing.ahead));
   }
   const double radius = scene.planet.radius;
   const double surface = glm::length(pose.eye) - pose.clearance;
