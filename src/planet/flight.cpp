@@ -62,9 +62,9 @@ Flight::End Flight::end_of(const Scene& scene, const Camera& camera) {
   end.ground = surface_radius(scene, end.facing.place);
   const double radius = scene.planet.radius;
   end.clearance = 1.0 + camera.altitude / radius - end.ground;
-  if (end.clearance < least_clearance) {
-    end.clearance = least_clearance;
-    end.camera.altitude = (end.ground + least_clearance - 1.0) * radius;
+  if (const double least = least_clearance(scene); end.clearance < least) {
+    end.clearance = least;
+    end.camera.altitude = (end.ground + least - 1.0) * radius;
   }
   return end;
 }

@@ -92,8 +92,10 @@ TEST(Flight, BeginsAndEndsExactlyAtItsViews) {
 TEST(Flight, EndsOverGroundAndSea) {
   const Scene scene;
   const Flight flight(scene, camera(10.0, 20.0, 0.0), camera(-50.0, 70.0, 0.0));
-  EXPECT_NEAR(1.0 + flight.at(0.0).altitude, surface_radius(scene, direction_of(10.0, 20.0)) + least_clearance, 1e-12);
-  EXPECT_NEAR(1.0 + flight.at(1.0).altitude, surface_radius(scene, direction_of(-50.0, 70.0)) + least_clearance, 1e-12);
+  EXPECT_NEAR(1.0 + flight.at(0.0).altitude, surface_radius(scene, direction_of(10.0, 20.0)) + least_clearance(scene),
+              1e-12);
+  EXPECT_NEAR(1.0 + flight.at(1.0).altitude, surface_radius(scene, direction_of(-50.0, 70.0)) + least_clearance(scene),
+              1e-12);
 }
 
 TEST(Flight, IsFiniteAndAllowedFromAnywhereToAnywhere) {

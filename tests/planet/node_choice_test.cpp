@@ -144,7 +144,7 @@ TEST(NodeChoice, LeavesNoEdgeWithoutItsOtherSideInTenThousandCameras) {
   Scene scene = planet();
   Nodes nodes(scene, {least_split, deepest_level, 8}, true);
   int looked_at = 0;
-  for (int n = 0; n < (sanitized ? 500 : 10000); ++n) {
+  for (int n = 0; n < (test::sanitized ? 500 : 10000); ++n) {
     // A cache that has come along a way, and one that starts anew.
     if (n % 50 == 0) nodes = Nodes(scene, {places.between(least_split, 3.5), deepest_level, 8}, true);
     place_at_random(scene, places);
@@ -152,7 +152,7 @@ TEST(NodeChoice, LeavesNoEdgeWithoutItsOtherSideInTenThousandCameras) {
     looked_at += check_sides(nodes);
     if (HasFailure()) FAIL() << n;
   }
-  EXPECT_GT(looked_at, sanitized ? 50'000 : 1'000'000);
+  EXPECT_GT(looked_at, test::sanitized ? 50'000 : 1'000'000);
 }
 
 // As the vertex shader places it; the rim is where nodes meet.
