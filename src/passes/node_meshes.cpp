@@ -101,6 +101,7 @@ bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
   textures_[1]->set_row(slot, vertices_.coarser);
   textures_[2]->set_row(slot, vertices_.slope);
   textures_[3]->set_row(slot, vertices_.coarser_slope);
+  textures_[4]->set_row(slot, vertices_.rise);
   noise_evaluations_ +=
       vertices_a_node(cells_) * std::int64_t{noise_per_height(scene, vertex_spacing(node.level, cells_))};
   return true;

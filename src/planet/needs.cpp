@@ -201,8 +201,9 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
              needs.water == Water::waves
                  ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2, 8 below 0.1"
                  : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
-  // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map, or the pixels of
-  // nodes, draw the shore. Never so far that it nears the eye, which in the smallest pictures would not count as an error.
+  // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map, or the
+  // pixels of nodes, draw the shore. Never so far that it nears the eye, which in the smallest pictures would not count
+  // as an error.
   if (needs.ground == Ground::quadtree) {
     needs.water_lift = std::min(scene.quality.pixel_error * pose.pixel_angle, 0.05);
   } else {

@@ -95,6 +95,7 @@ TEST(SinglePrecision, TerrainHeight) {
   t.power = 2.1F;
   t.ridged = false;
   t.sharpness = 14.0F;
+  t.ranges = {0.3F, 1};
   t.seed = 3U;
   t.craters.depth = 1.0F;
   t.craters.frequency = 2.0F;
@@ -110,6 +111,7 @@ TEST(SinglePrecision, TerrainHeight) {
   d.power = exact(t.power);
   d.ridged = t.ridged;
   d.sharpness = exact(t.sharpness);
+  d.ranges = {exact(t.ranges.part), t.ranges.first};
   d.seed = t.seed;
   d.craters.depth = 1.0;
   d.craters.frequency = 2.0;
