@@ -31,7 +31,7 @@ struct Height {
   vec3 gradient;
   float openness;  // 0..1: below a half in hollows, above it on crests
   float rise;      // what a layer of unit amplitude adds to value for each unit of layer_value, radii
-  float ridges;    // the same for a layer that is ridged for the ranges
+  float ridges;    // the same of a layer that is one of the ridges of ranges
 };
 
 // x tanh(k x): |x| without its edge (5). k >= 0; total, where the printed form overflows for k|x| > 88.
@@ -108,38 +108,37 @@ float range_cover_slope(float h) {
 
 // The ridges of the ranges so far.
 struct RidgeSum {
-  float amplitude;  // of the next layer
-  float total;      // of all before
+  float total;    // of the amplitudes
   float sum;
-  vec3 gradient;    // of the sum
+  vec3 gradient;  // of the sum
 };
 
 RidgeSum no_ridges() {
   RidgeSum r;
-  r.amplitude = 1.0;
   r.total = 0.0;
   r.sum = 0.0;
   r.gradient = vec3(0.0);
   return r;
 }
 
-// n: of the noise, its gradient by the place; shown: part of the layer that is not left at its mean.
-void add_ridges(inout RidgeSum r, Noise n, float frequency, float sharpness, float shown, float persistence) {
+// n: the noise of a layer; shown: part of it that is not left at its mean.
+void add_ridges(inout RidgeSum r, Noise n, float amplitude, float frequency, float sharpness, float shown) {
   float value = mix(layer_mean(true), layer_value(n.value, true, sharpness), shown);
-  r.sum += r.amplitude * value;
-  r.gradient += r.amplitude * shown * frequency * layer_slope(n.value, true, sharpness) * n.gradient;
-  r.total += r.amplitude;
-  r.amplitude *= persistence;
+  r.sum += amplitude * value;
+  r.gradient += amplitude * shown * frequency * layer_slope(n.value, true, sharpness) * n.gradient;
+  r.total += amplitude;
 }
 
-// Raises the ranges on the ground. h: the mean of all layers, gradient: its own; radii.
-void raise_ranges(inout Height ground, RidgeSum r, float h, vec3 gradient, float height) {
+// Raises the ranges on the ground. layers: all, of the mean h; gradient: of their sum; height: radii.
+void raise_ranges(inout Height ground, RidgeSum r, OctaveSum layers, float h, vec3 gradient, float height) {
   if (r.total <= 0.0) return;
   float mean = max(r.sum / r.total, 0.0);
   float square = mean * mean;
+  float cover_rise = height * range_cover_slope(h) * square * mean / layers.total;
   ground.ridges = 3.0 * height * range_cover(h) * square / r.total;
   ground.value += height * range_cover(h) * square * mean;
-  ground.gradient += ground.ridges * r.gradient + (height * range_cover_slope(h) * square * mean) * gradient;
+  ground.gradient += ground.ridges * r.gradient + cover_rise * gradient;
+  ground.rise += cover_rise;
 }
 
 // The ground at a direction (unit), without what samples a footprint (rad) apart can't show.
@@ -160,7 +159,7 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
       value = mix(mean, layer_value(n.value, t.ridged, t.sharpness), shown);
       gradient += sum.amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
     }
-    if (has_ranges && i >= t.ranges.first) add_ridges(ridges, n, frequency, t.sharpness, shown, t.persistence);
+    if (has_ranges && i >= t.ranges.first) add_ridges(ridges, n, sum.amplitude, frequency, t.sharpness, shown);
     if (i > 0) relief += sum.amplitude * frequency * (value - mean);
     add_octave(sum, value, t.persistence);
     frequency *= t.lacunarity;
@@ -180,7 +179,7 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
   ground.rise = sum.total > 0.0 ? height_power_slope(h, height, t.power) / sum.total : 0.0;
   ground.ridges = 0.0;
   ground.gradient = gradient * ground.rise;
-  if (has_ranges) raise_ranges(ground, ridges, h, gradient / sum.total, t.ranges.part * t.height);
+  if (has_ranges) raise_ranges(ground, ridges, sum, h, gradient, t.ranges.part * t.height);
   ground.openness = openness_of(relief * (ground.rise + ground.ridges));
   if (ice_near(direction, t.ice)) {
     float ice = ice_height(ice_cover(direction, t.ice, footprint), t.ice);

@@ -60,7 +60,7 @@ HeightRange change_with_ranges(const f64::Terrain& terrain, const HeightRange& c
   const double power_below_one = terrain.power < 1.0 ? std::pow(change_of_layers, terrain.power) : smooth;
   const double change =
       terrain.height * ((1.0 - terrain.ranges.part) * std::max(smooth, power_below_one) + terrain.ranges.part * ranges);
-  return {computed.lowest - change, computed.highest + change};
+  return {std::max(computed.lowest - change, 0.0), std::min(computed.highest + change, terrain.height)};
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls;
 Ground::Ground(const Scene& scene, double footprint)
     : terrain_(exact_terrain_of(scene)), footprint_(std::max(footprint, 0.25 / finest)) {
   total_ = f64::amplitude_sum(terrain_.persistence, terrain_.octaves);
-  if (terrain_.ranges.part > 0.0)
+  if (terrain_.ranges.part > 0.0 && (terrain_.persistence > 0.0 || terrain_.ranges.first == 0))
     total_ridges_ = f64::amplitude_sum(terrain_.persistence, std::max(terrain_.octaves - terrain_.ranges.first, 0));
   highest_ = 1.0 + (terrain_.octaves > 0 ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
