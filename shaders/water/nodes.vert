@@ -10,7 +10,7 @@ void main() {
   NodeVertex v = node_vertex();
   surface_from_eye = node_sea.xyz + sea.x * v.flat_place;
   float away = length(surface_from_eye);
-  surface_from_eye += away * v.skirt + (levels.y * away) * v.up;
+  surface_from_eye += away * v.skirt + min(levels.y * away, levels.w) * v.up;
   node_slope = node_slope_at(v.part);
   node_height = vec3(node_sea.w + v.height, node_rise_at(v.part));
   node_held = vec2(node_along.w / float(node_cells), v.part);

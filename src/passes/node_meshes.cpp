@@ -130,7 +130,8 @@ void NodeMeshes::pack(const Frame& frame) {
     const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
     if (layer == Layer::ground) return !water || !above_sea || 1.0 + node.heights.highest >= lowest_sea;
     const double away = glm::distance(frame.pose.eye, node.middle) + node.half_width;
-    return water && 1.0 + node.heights.lowest <= sea + frame.needs.water_lift * away;
+    return water &&
+           1.0 + node.heights.lowest <= sea + std::min(frame.needs.water_lift * away, frame.needs.water_most_lift);
   };
   for (const Layer layer : {Layer::ground, Layer::sea}) {
     for (unsigned list = 0; list < 16; ++list) {
