@@ -85,6 +85,31 @@ Scene seen_from(Scene scene, double altitude, double pitch) {
 
 Scene preset_scene(const char* name) { return find_preset(name)->scene; }
 
+// A ground of nodes on a planet of real size, from a height over it, with as many layers as pixels can show there.
+Scene real_ground(double latitude, double longitude, double clearance, double pitch) {
+  Scene scene = bare_ground();
+  scene.planet.radius = 6.36e6;
+  scene.planet.seed = 7;
+  auto& terrain = scene.terrain;
+  terrain.height = 11000.0;
+  terrain.frequency = 1.5;
+  terrain.power = 2.0;
+  terrain.ranges = 0.7;
+  terrain.range_layer = 4;
+  terrain.ridge_sharpness = 20.0;
+  scene.camera = {latitude, longitude, 0.0, 0.0, pitch, 60.0};
+  scene.sun.latitude = latitude > 45.0 ? 45.0 : latitude;
+  scene.sun.longitude = longitude - 40.0;
+  const double shown = clearance / scene.planet.radius * 4.0 * 2.0 * 0.577 / 90.0;  // of a cell, rad
+  terrain.octaves = 0;
+  for (double f = terrain.frequency; f * shown < 1.0 && terrain.octaves < 32; f *= terrain.lacunarity)
+    ++terrain.octaves;
+  terrain.octaves = std::max(terrain.octaves, 5);
+  const double ground = glm::length(pose_of(scene, {}).eye) - 1.0 - least_clearance(scene);
+  scene.camera.altitude = ground * scene.planet.radius + clearance;
+  return scene;
+}
+
 struct Case {
   const char* name;
   std::function<Scene()> scene;
@@ -198,6 +223,17 @@ const Case cases[] = {
     {"dusk", [] { return preset_scene("dusk"); }, 28.8, 0.037, 0.003, 0.055, 3.3},
     {"night", [] { return preset_scene("night"); }, 29.2, 0.075, 0.0074, 0.046, 7.2},
     {"ocean", [] { return preset_scene("ocean"); }, 24.6, 0.078, 0.015, 0.052, 4.6},
+    {"nodes_10_m", [] { return real_ground(-41.3, 131.5, 10.0, -6.0); }, 27.0, 0.038, 0.0012, 0.031, 7.6},
+    {"nodes_100_m", [] { return real_ground(-41.3, 131.5, 100.0, -6.0); }, 31.7, 0.026, 0.0026, 0.039, 6.6},
+    {"nodes_1_km", [] { return real_ground(-41.3, 131.5, 1e3, -8.0); }, 29.4, 0.026, 0.0021, 0.041, 5.2},
+    {"nodes_10_km", [] { return real_ground(-41.3, 131.5, 1e4, -12.0); }, 31.8, 0.0195, 0.0023, 0.028, 3.9},
+    {"nodes_100_km", [] { return real_ground(-41.3, 131.5, 1e5, -20.0); }, 33.3, 0.0155, 0.0018, 0.017, 3.4},
+    {"nodes_1000_km", [] { return real_ground(-41.3, 131.5, 1e6, -45.0); }, 42.0, 0.0095, 0.001, 0.0043, 1.3},
+    {"nodes_10000_km", [] { return real_ground(-41.3, 131.5, 1e7, -90.0); }, 39.8, 0.006, 0.001, 0.0078, 0.17},
+    {"nodes_40000_km", [] { return real_ground(-41.3, 131.5, 4e7, -90.0); }, 47.4, 0.0014, 0.001, 0.0055, 0.3},
+    {"nodes_at_a_pole", [] { return real_ground(90.0, 10.0, 1e4, -20.0); }, 60.0, 0.001, 0.0005, 0.0008, 0.03},
+    {"nodes_at_the_date_line", [] { return real_ground(19.0, 180.0, 1e4, -20.0); }, 50.0, 0.0012, 0.0003, 0.0012, 0.04},
+    {"nodes_at_a_corner", [] { return real_ground(35.26438968, 45.0, 1e4, -20.0); }, 60.0, 0.001, 0.0003, 0.0009, 0.03},
     {"rings", [] { return preset_scene("rings"); }, 20.7, 0.14, 0.0083, 0.043, 6.4},
     {"desert", [] { return preset_scene("desert"); }, 19.4, 0.16, 0.0056, 0.029, 45},
     {"ice", [] { return preset_scene("ice"); }, 17.5, 0.17, 0.007, 0.056, 24},

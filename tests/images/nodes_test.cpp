@@ -1,0 +1,160 @@
+// A ground of nodes as it is drawn: whole, still, and the same on each kind of OpenGL.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "app/still.hpp"
+#include "laws/random_places.hpp"
+#include "measure/image_error.hpp"
+#include "native/egl_context.hpp"
+#include "sanitized.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr int width = 96, height = 54;
+
+StillOptions still() {
+  StillOptions options;
+  options.width = width;
+  options.height = height;
+  return options;
+}
+
+// Steep all over, so that nodes differ much from the coarser ones.
+Scene rugged(double radius) {
+  Scene scene;
+  scene.planet.radius = radius;
+  scene.terrain.model = 3;
+  auto& terrain = scene.terrain;
+  terrain.height = 2e-3 * radius;
+  terrain.frequency = 40.0;
+  terrain.octaves = 14;
+  terrain.ridged = true;
+  scene.water.model = scene.clouds.model = scene.air.model = scene.stars.model = 0;
+  scene.camera.fov = 60.0;
+  return scene;
+}
+
+void stand_over_ground(Scene& scene, double clearance) {
+  scene.camera.altitude = 0.0;
+  const double ground = glm::length(pose_of(scene, {}).eye) - least_clearance(scene);
+  scene.camera.altitude = (ground + clearance - 1.0) * scene.planet.radius;
+}
+
+TEST(NodesInPictures, LeaveNoHole) {
+  test::Places places(11);
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  const char* asked = std::getenv("TERRELLA_CAMERAS");
+  const int cameras = asked != nullptr ? std::atoi(asked) : test::sanitized ? 8 : 300;
+  Scene scene = rugged(6.36e6);
+  std::int64_t looked_at = 0;
+  for (int n = 0; n < cameras; ++n) {
+    auto& camera = scene.camera;
+    camera.latitude = n % 7 == 0 ? 90.0 : places.between(-90.0, 90.0);
+    camera.longitude = n % 5 == 0 ? 45.0 : places.between(-180.0, 180.0);
+    camera.heading = places.between(-180.0, 180.0);
+    camera.pitch = places.between(-90.0, 0.0);
+    stand_over_ground(scene, std::pow(10.0, places.between(-6.0, 1.0)));
+    View view;
+    view.width = width;
+    view.height = height;
+    const Pose pose = pose_of(scene, view);
+    const double to_limb = f64::horizon_distance(1.0, glm::length(pose.eye) - 1.0);
+    const double inner = 1.0 - pose.pixel_angle * to_limb;
+    const Image distance = take_measurement(renderer, scene, still(), Channel::distance);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        // Whoever meets a sphere that lies by a pixel under all ground has ground before it.
+        const f64::Roots roots = f64::ray_sphere(pose.eye, ray_through(pose, view, {x + 0.5, y + 0.5}), inner);
+        if (!roots.met || roots.t1 < 0.0) continue;
+        ++looked_at;
+        ASSERT_TRUE(std::isfinite(distance.at(x, y)[0])) << "camera " << n << ", pixel " << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_GT(looked_at, cameras * 500);
+}
+
+// A walker's eye: nothing trembles. Distances along the same rays change in proportion to the steps, but for the rays
+// that come to another triangle.
+TEST(NodesInPictures, ShowEveryMillimetreOfAWalk) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  for (const double radius : {1e3, 6.36e6, 1e8}) {
+    Scene scene = rugged(radius);
+    // Slopes as on a planet of 6360 km, and so many layers that the finest hills are a few metres wide.
+    scene.terrain.octaves = radius > 1e7 ? 20 : radius > 1e5 ? 16 : 3;
+    scene.camera = {37.0, -53.0, 0.0, 0.0, -25.0, 60.0};
+    stand_over_ground(scene, 2.0 / radius);
+    std::vector<Image> pictures;
+    for (int step = 0; step < 5; ++step) {
+      scene.camera.altitude += 1e-3;
+      pictures.push_back(take_measurement(renderer, scene, still(), Channel::distance));
+    }
+    std::vector<double> trembles, moves;
+    for (std::size_t i = 0; i < pictures[0].pixels.size(); i += static_cast<std::size_t>(pictures[0].channels)) {
+      for (std::size_t k = 1; k + 1 < pictures.size(); ++k) {
+        const double before = pictures[k - 1].pixels[i], now = pictures[k].pixels[i], after = pictures[k + 1].pixels[i];
+        if (!std::isfinite(before + now + after) || now > 20.0) continue;
+        trembles.push_back(std::abs(before - 2.0 * now + after));
+        moves.push_back(std::abs(after - now));
+      }
+    }
+    ASSERT_GT(trembles.size(), 1000U) << radius;
+    const auto part = [](std::vector<double>& values, double p) {
+      const auto place = values.begin() + static_cast<std::ptrdiff_t>(p * static_cast<double>(values.size() - 1));
+      std::nth_element(values.begin(), place, values.end());
+      return *place;
+    };
+    if (std::getenv("TERRELLA_PRINT") != nullptr) {
+      std::printf("radius %g: moves %.2e m, trembles %.2e m, nine tenths below %.2e\n", radius, part(moves, 0.5),
+                  part(trembles, 0.5), part(trembles, 0.9));
+    }
+    EXPECT_GT(part(moves, 0.5), 5e-4) << radius;
+    EXPECT_LT(part(trembles, 0.9), 1e-4) << radius;
+  }
+}
+
+TEST(NodesInPictures, AreTheSameOnEachKindOfOpenGl) {
+  Scene scene = find_preset("blue")->scene;
+  scene.camera.altitude = 3e5;
+  scene.camera.pitch = -30.0;
+  const auto picture = [&](Api api) {
+    const auto context = EglContext::make(api);
+    Renderer renderer;
+    return take_picture(renderer, scene, still());
+  };
+  EXPECT_GT(psnr(picture(Api::core), picture(Api::es)), 45.0);
+}
+
+// Made a few at a time as the eye moves, nodes end up as those that are made at once.
+TEST(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Scene scene = find_preset("highlands")->scene;
+  scene.clouds.model = 0;
+  View view;
+  view.width = width;
+  view.height = height;
+  Renderer at_once, bit_by_bit;
+  at_once.draw(scene, view, {Channel::color, Effort::complete, false});
+  int frames = 0;
+  do {
+    bit_by_bit.draw(scene, view, {Channel::color, Effort::live, false});
+  } while (!bit_by_bit.settled() && ++frames < 2000);
+  EXPECT_TRUE(bit_by_bit.settled());
+  EXPECT_EQ(at_once.stats().triangles, bit_by_bit.stats().triangles);
+  EXPECT_EQ(at_once.read_light(), bit_by_bit.read_light());
+}
+
+}  // namespace
+}  // namespace terrella
