@@ -134,6 +134,7 @@ class Session {
   Scene as_kept() const;
   void compare(bool wanted);
   void surprise();
+  void set_camera_mode(CameraMode mode);
   void scene_was_changed();
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);
