@@ -17,7 +17,7 @@ constexpr double walking = 1.4, running = 5.0;  // along the ground
 constexpr double jumping = 3.0;                 // upwards, which leads half a metre high
 constexpr double terminal = 55.0;               // as fast as air lets people fall
 constexpr double reach = 0.25;                  // of the feet, over which the slope of the ground is told
-constexpr double knee = 0.5;
+constexpr double knee = 0.5;  // lower over the ground, its slope hinders: nobody jumps up what is too steep
 // From orbit, gravity alone would take half an hour. Higher than this, a fall also sheds a part of its height in each
 // second, so that it takes at most a quarter of a minute from wherever hands come to.
 constexpr double high = 30.0;
@@ -103,9 +103,8 @@ void Walk::step(Scene& scene, const Push& push, double dt) {
   level_roll(scene, levelling, dt);
 
   glm::dvec2 way = gather_way(push, metre, dt);
-  const bool moves = way != glm::dvec2(0.0);
-  const glm::dvec2 slope = moves || push.jump ? slope_at(scene) : glm::dvec2(0.0);
-  if (on_ground && push.jump && glm::length(slope) < too_steep) rising_ = jumping * metre;
+  const glm::dvec2 slope = way == glm::dvec2(0.0) ? way : slope_at(scene);
+  if (on_ground && push.jump) rising_ = jumping * metre;
   if (height < knee * metre) way = passable(way, slope);
   const double feet = feet_of(scene);
   move_over(scene, way.x / feet, way.y / feet);
