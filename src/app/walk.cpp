@@ -86,13 +86,19 @@ double Walk::fall(Scene& scene, double height, double metre, double dt) {
   double left = height + 0.5 * (before + rising_) * dt;
   haste_ += (1.0 - haste_) * -std::expm1(-dt / begin_haste);
   if (left > high * metre) {
-    const double lower = high * metre + (left - high * metre) * std::exp(-shed * haste_ * dt);
-    look(scene, 0.0, natural_pitch(lower + eye) - natural_pitch(left + eye));  // as on coming nearer in orbit
-    left = lower;
+    from_high_ = true;
+    left = high * metre + (left - high * metre) * std::exp(-shed * haste_ * dt);
   }
-  if (left > 0.0) return left;
+  left = std::max(left, 0.0);
+  // As on coming nearer in orbit.
+  if (from_high_) look(scene, 0.0, natural_pitch(left + eye) - natural_pitch(std::max(height, 0.0) + eye));
+  if (left == 0.0) land();
+  return left;
+}
+
+void Walk::land() {
   rising_ = haste_ = 0.0;
-  return 0.0;
+  from_high_ = false;
 }
 
 void Walk::step(Scene& scene, const Push& push, double dt) {
@@ -113,7 +119,7 @@ void Walk::step(Scene& scene, const Push& push, double dt) {
   const bool keeps_ground = on_ground && rising_ <= 0.0 && !leads_over_edge(way, slope);
   const double sunk = std::max(0.0, -height) * std::exp(-4.0 * dt / stand_up);
   const double left = keeps_ground ? -sunk : fall(scene, feet - ground, metre, dt);
-  if (keeps_ground) rising_ = haste_ = 0.0;
+  if (keeps_ground) land();
   // What is only rounded otherwise is left alone: a planet at rest would be drawn again and again.
   if (std::abs(ground + left - feet) > touch * eye) set_distance(scene, ground + left + eye);
   stands_ = keeps_ground && velocity_ == glm::dvec2(0.0) && sunk <= touch * eye && scene.camera.roll == 0.0;

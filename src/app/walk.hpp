@@ -22,10 +22,12 @@ class Walk {
   // metre: planet radii of one of people (human.hpp).
   glm::dvec2 gather_way(const Push& push, double metre, double dt);
   double fall(Scene& scene, double height, double metre, double dt);
+  void land();
 
   glm::dvec2 velocity_{0.0};  // to the right and ahead, planet radii a second
   double rising_ = 0.0;       // by gravity and jumps, planet radii a second
   double haste_ = 0.0;        // 0..1: part of what a fall from high up is hastened by, so that it begins gently
+  bool from_high_ = false;    // the fall began where it is hastened
   bool stands_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <iterator>
 #include <string>
 
@@ -13,8 +14,10 @@ namespace terrella {
 
 void camera_rows(Sheet& sheet) {
   constexpr auto count = static_cast<float>(std::size(camera_mode_texts));
-  const float room = row_label("Move") - reset_button_width(), space = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float width = (room - (count - 1.0F) * space) / count;
+  const float room = row_label("Move"), space = ImGui::GetStyle().ItemInnerSpacing.x;
+  // As wide as the sliders below, where there is room.
+  const float row = std::max(room - 2.0F * reset_button_width(), 0.8F * room);
+  const float width = std::max(1.0F, (row - (count - 1.0F) * space) / count);
   for (const CameraModeText& text : camera_mode_texts) {
     const std::string label = text_of(text.title, "###camera_", text.name);
     const bool on = sheet.facts.camera_mode == text.mode;

@@ -244,6 +244,8 @@ TEST(Walk, FallsFromAnywhereWithinAQuarterOfAMinuteAndWithoutAJump) {
       EXPECT_LT(seconds, 15.0) << clearance << " radii over a planet of " << radius << " m";
       EXPECT_LT(distance_of(scene), highest);
       EXPECT_NEAR(metres_high(scene), 0.0, 1e-3);
+      EXPECT_NEAR(scene.camera.pitch, -90.0 + natural_pitch(eye_height(scene)) - natural_pitch(clearance),
+                  0.5);  // sees the horizon
     }
   }
 }
