@@ -39,14 +39,14 @@ double feet_of(const Scene& scene) { return distance_of(scene) - eye_height(scen
 
 // Rise of the ground per length to the right and ahead.
 glm::dvec2 slope_at(const Scene& scene) {
-  const auto [place, right, ahead] = frame_of(scene);
+  const CameraFrame frame = frame_of(scene);
   const double angle = reach * human_metre(scene);
   const auto along = [&](const glm::dvec3& side) {
-    const double there = surface_radius(scene, glm::normalize(place + angle * side));
-    const double back = surface_radius(scene, glm::normalize(place - angle * side));
+    const double there = surface_radius(scene, glm::normalize(frame.place + angle * side));
+    const double back = surface_radius(scene, glm::normalize(frame.place - angle * side));
     return (there - back) / (angle * (there + back));
   };
-  return {along(right), along(ahead)};
+  return {along(frame.right), along(frame.ahead)};
 }
 
 // What is left of a way over the ground where that slopes. Lengths count along the slope.
