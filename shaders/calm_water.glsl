@@ -6,5 +6,5 @@ vec3 water_direction() { return normalize(eye_position() + surface_from_eye); }
 
 // crust: 0..1, how far a crust covers the water.
 void emit_calm_water(Ripples r, float crust, vec3 up) {
-  emit_water(calm_water(up, -textureLod(ground_map, up, levels.z).w, r, crust, water_look()), up, 0.0);
+  emit_water(calm_water(up, depth_below(up), r, crust, water_look()), up, 0.0);
 }

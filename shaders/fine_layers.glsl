@@ -12,23 +12,27 @@ vec3 direction_from_anchor(vec3 offset) {
   return (offset - anchor * climb) / radius;
 }
 
-// What the layers finer than the map add.
+// As much of a layer as is there without pixels, 0..1; falls with the frequency.
+float held_of_layer(float frequency);
+
+// What finer layers add to those.
 struct FineLayers {
   vec3 gradient;  // to that of the mean of all layers
+  float value;    // to that mean itself
   float grain;    // to the colour, about -1..1: what is flat shows them, too
 };
 
-// from_anchor: of the place; footprint: of a pixel there, rad.
-FineLayers fine_layers(vec3 from_anchor, float footprint) {
+// from_anchor: of the place; footprint: of a pixel there, rad; first: of the layers, all before are held; part: how strong
+// they are, of what layer_anchor says.
+FineLayers fine_layers(vec3 from_anchor, float footprint, int first, float part) {
   uint seed = uint(planet_seed);
-  float texel = ground_map_scale.x;
-  float enters = 1.0 - smoothstep(0.67, 1.0, fineness.y * footprint / texel);
   FineLayers fine;
   fine.gradient = vec3(0.0);
+  fine.value = 0.0;
   fine.grain = 0.0;
   float strength = 0.4;
-  int first = int(ground_map_scale.y), end = int(ground_map_scale.z);
-  float amplitude = enters * layer_anchor.w;
+  int end = int(ground_map_scale.z);
+  float amplitude = part * layer_anchor.w;
   for (int i = first; i < end; ++i) {
     float frequency = layer_place[i].w;
     float weight = layer_weight(frequency, footprint);
@@ -36,9 +40,11 @@ FineLayers fine_layers(vec3 from_anchor, float footprint) {
     vec3 q = layer_place[i].xyz + frequency * from_anchor;
     Noise n = simplex_noise(layer_cell[i].xyz, q, layer_seed(i, seed));
     float slope = layer_slope(n.value, terrain_ridged != 0, terrain_ridge_sharpness);
-    float shown = max(weight - layer_weight(frequency, texel), 0.0);
+    float shown = max(weight - held_of_layer(frequency), 0.0);
     fine.gradient += amplitude * shown * frequency * slope * n.gradient;
-    fine.grain += enters * strength * shown * n.value;
+    float value = layer_value(n.value, terrain_ridged != 0, terrain_ridge_sharpness);
+    fine.value += amplitude * shown * (value - layer_mean(terrain_ridged != 0));
+    fine.grain += part * strength * shown * n.value;
     strength *= 0.8;
     amplitude *= terrain_persistence;
   }

@@ -19,6 +19,7 @@ layout(std140) uniform FrameBlock {
   vec4 slopes;             // x: unseen_slopes of the map of the ground and the pixels, y: of the ground's mesh
   vec4 sky_glow;           // xyz: light of the glow that a low sun spreads over the sky of the eye, 0 outside of the air
   vec4 fineness;           // x: footprint_of_pixel, pixels; y: of texels of the map of the ground from where pixels add layers, pixels; z: size of points of light for which one pixel is shown, pixels; w: part of their light that is left at this size
+  vec4 depth;              // x: of the far plane, a part of w; y, z: factor of and distance at which logarithms of distances become depths, y 0: none do
   ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
 };
 
@@ -27,6 +28,21 @@ layout(std140) uniform FrameBlock {
 float pixel_footprint(vec3 up, vec3 offset, float least_cosine) {
   float away = length(offset);
   return fineness.x * away * ray_forward.w / max(-dot(up, offset) / away, least_cosine);
+}
+
+// Where a position relative to the eye is in the picture. Depths fall with distance, from near the eye down to 0 at infinity:
+// floats tell apart there what they can't next to 1. Where the driver's depths run from -1 to 1 that is lost, and they may
+// have to go by logarithms instead (depth_scheme in src/planet/pose.cpp), which are right at the corners of triangles only.
+vec4 clip_at(vec3 offset) {
+  vec4 clip = clip_from_eye * vec4(offset, 1.0);
+  float by_logarithm = clip.w * (1.0 - depth.y * log2(max(clip.w, 1.0e-30) / depth.z));
+  return vec4(clip.xy, depth.y > 0.0 ? by_logarithm : clip.z, clip.w);
+}
+
+// The same at infinity along a ray: behind all that has a depth.
+vec4 clip_along(vec3 ray) {
+  vec4 clip = clip_from_eye * vec4(ray, 0.0);
+  return vec4(clip.xy, depth.x * clip.w, clip.w);
 }
 
 // The eye in single precision: for what is not near it.

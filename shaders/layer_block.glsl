@@ -2,6 +2,6 @@
 // C++ chooses the anchor and computes each layer's cell there in double precision (src/passes/layers.cpp).
 layout(std140) uniform LayerBlock {
   vec4 layer_anchor;      // xyz: unit vector to the anchor; w: the first layer's part of the amplitude of all
-  ivec4 layer_cell[24];   // xyz: the layer's cell at the anchor
-  vec4 layer_place[24];   // xyz: place of the anchor in that cell; w: frequency, cells per radian
+  ivec4 layer_cell[32];   // xyz: the layer's cell at the anchor
+  vec4 layer_place[32];   // xyz: place of the anchor in that cell; w: frequency, cells per radian
 };

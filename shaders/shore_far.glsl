@@ -1,4 +1,4 @@
 // Land on the water's mesh where the map of the ground is as fine as pixels.
-#include "water_surface.glsl"
+#include "shore_map.glsl"
 
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {}

@@ -21,7 +21,13 @@ WaterLook water_look() {
   return look;
 }
 
-// Adds to land what the map of the ground can't hold, and the grain of its colour; nothing under water. up: unit.
+// How deep the water is (radii; below 0 where land stands out of it) in the direction of the place. Asked for first, and once.
+float depth_below(vec3 up);
+
+// The ground in a direction (unit) near the place, as far as it is known without its finest layers.
+GroundAt ground_below(vec3 up);
+
+// Adds to land what is missing there, and the grain of its colour; nothing under water. up: unit.
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth);
 
 // What comes from under the surface. ray: unit, from the eye.
@@ -31,7 +37,7 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
   float dive = dive_of(refracted, at.up);
   // The bottom is where the ray meets it: one step from the depth below the surface comes close.
   vec3 bottom = normalize(at.up + refracted * (deep / dive));
-  GroundAt found = ground_at(textureLod(ground_map, bottom, levels.z), bottom);
+  GroundAt found = ground_below(bottom);
   found.height = w.depth > 0.0 ? min(found.height, 0.0) : found.height;
   float depth = max(0.5 * (deep - found.height), 0.0);
   float grain = 0.0;

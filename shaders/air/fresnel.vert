@@ -15,11 +15,10 @@ void main() {
     vec3 v = cross(axis, u);
     float turn = 6.283185307179586 * step / ring.z;
     view_ray = axis + mix(ring.x, ring.y, side) * (cos(turn) * u + sin(turn) * v);
-    vec4 place = clip_from_eye * vec4(view_ray, 0.0);
-    gl_Position = vec4(place.xy, place.w, place.w);  // at the far plane
+    gl_Position = clip_along(view_ray);
   } else {
     vec2 corner = 2.0 * vec2(side, step) - 1.0;
     view_ray = ray_forward.xyz + corner.x * ray_right.xyz + corner.y * ray_up.xyz;
-    gl_Position = vec4(corner, 1.0, 1.0);
+    gl_Position = vec4(corner, depth.x, 1.0);
   }
 }

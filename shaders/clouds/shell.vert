@@ -8,5 +8,5 @@ out vec3 surface_from_eye;
 
 void main() {
   surface_from_eye = from_eye(direction * shell);
-  gl_Position = clip_from_eye * vec4(surface_from_eye, 1.0);
+  gl_Position = clip_at(surface_from_eye);
 }

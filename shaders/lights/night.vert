@@ -19,6 +19,6 @@ void main() {
   vec2 corner = square_corner();
   square_place = 2.0 * corner;
   // Nearer along the ray by its own size, so that the ground it stands on does not cut it.
-  gl_Position = clip_from_eye * vec4(offset * max(1.0 - 0.004 / length(offset), 0.5), 1.0);
+  gl_Position = clip_at(offset * max(1.0 - 0.004 / length(offset), 0.5));
   gl_Position.xy += corner * 4.0 * fineness.z * town.radius / picture_size * gl_Position.w;
 }

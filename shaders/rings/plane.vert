@@ -12,5 +12,5 @@ void main() {
   // A little wider than the rings, so that its straight edges touch their circles.
   float radius = mix(rings_inner * cos(3.141592653589793 / corners), rings_outer / cos(3.141592653589793 / corners), side);
   ring_from_eye = from_eye(radius * vec3(cos(turn), sin(turn), 0.0));
-  gl_Position = clip_from_eye * vec4(ring_from_eye, 1.0);
+  gl_Position = clip_at(ring_from_eye);
 }

@@ -10,6 +10,5 @@ void main() {
   float length_of = length(vertex);
   vec3 direction = vertex / length_of;
   glow = band_light(length_of - 1.0, stars_brightness) * sky_shown(direction, scene_light());
-  vec4 place = clip_from_eye * vec4(direction, 0.0);
-  gl_Position = vec4(place.xy, place.w, place.w);  // at the far plane
+  gl_Position = clip_along(direction);
 }

@@ -12,11 +12,10 @@ out vec3 square_light;
 out vec2 square_place;  // in radii of the star
 
 void main() {
-  vec4 place = clip_from_eye * vec4(star.xyz, 0.0);
   // A dim star is not smaller than a pixel, but dimmer: it does not twinkle as it moves over the pixels.
   square_light = fineness.w * star_light(color.rgb, star.w, stars_brightness) * sky_shown(star.xyz, scene_light());
   vec2 corner = square_corner();
   square_place = 2.0 * corner;
-  place.xy += corner * 4.0 * fineness.z * star_radius(stars_size, star.w) / picture_size * place.w;
-  gl_Position = vec4(place.xy, place.w, place.w);  // at the far plane
+  gl_Position = clip_along(star.xyz);
+  gl_Position.xy += corner * 4.0 * fineness.z * star_radius(stars_size, star.w) / picture_size * gl_Position.w;
 }

@@ -13,5 +13,5 @@ void main() {
   Frame frame = frame_at(direction);
   WaveSum sum = waves_at(direction, frame, ripple.y, textureLod(ground_map, direction, 0.0));
   surface_from_eye = from_eye(direction * (sea.x + levels.y) + wave_offset(direction, frame, sum));
-  gl_Position = clip_from_eye * vec4(surface_from_eye, 1.0);
+  gl_Position = clip_at(surface_from_eye);
 }

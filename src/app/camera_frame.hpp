@@ -5,25 +5,17 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "planet/facing.hpp"
 #include "planet/pose.hpp"
 #include "scene/scene.hpp"
 
 namespace terrella {
 
-// The horizontal plane under the camera, as unit vectors. Ahead is where it faces, by its heading alone.
-struct CameraFrame {
-  glm::dvec3 place, right, ahead;
-};
-
-CameraFrame frame_of(const Scene& scene);
-
 // Of the eye from the planet's centre, and back.
 double distance_of(const Scene& scene);
 void set_distance(Scene& scene, double distance);
 
-// What the camera keeps over ground and sea, whatever moves it.
-double lowest_clearance(const Scene& scene);
-// What it comes to at the most by hands.
+// The clearance that the camera comes to at the most by hands.
 inline constexpr double farthest = 1e4;
 
 // Degrees, to -180..180.

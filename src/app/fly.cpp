@@ -65,13 +65,14 @@ void Fly::step(Scene& scene, const Push& push, double dt) {
   if (way == glm::dvec3(0.0)) return;
 
   const double distance = distance_of(scene);
-  const double clearance = std::max(distance - surface_radius(scene, frame_of(scene).place), lowest_clearance(scene));
+  const double clearance =
+      std::max(distance - surface_radius(scene, facing_of(scene.camera).place), least_clearance(scene));
   const double pace = pace_ * (push.fast ? fast : 1.0);
   const auto speed_at = [&](double height) { return pace * std::max(speed * height, slowest * human_metre(scene)); };
   const double halfway = std::max(0.0, clearance + 0.5 * way.z * speed_at(clearance));
   const glm::dvec3 moved = speed_at(halfway) * way;
   move_over(scene, moved.x / distance, moved.y / distance);
-  const double lowest = surface_radius(scene, frame_of(scene).place) + lowest_clearance(scene);
+  const double lowest = surface_radius(scene, facing_of(scene.camera).place) + least_clearance(scene);
   const double highest = std::max(distance, 1.0 + farthest);  // who comes from farther away is not thrown nearer
   set_distance(scene, std::clamp(distance + moved.z, lowest, std::max(lowest, highest)));
 }

@@ -13,6 +13,6 @@ namespace terrella {
 inline double human_metre(const Scene& scene) { return 1.0 / std::max(scene.planet.radius, 1000.0); }
 
 // Of standing eyes over their feet, planet radii.
-inline double eye_height(const Scene& scene) { return std::max(1.7 * human_metre(scene), lowest_clearance(scene)); }
+inline double eye_height(const Scene& scene) { return std::max(1.7 * human_metre(scene), least_clearance(scene)); }
 
 }  // namespace terrella

@@ -68,15 +68,15 @@ void Orbit::zoom(double factor, glm::dvec2 toward) {
 
 void Orbit::zoom_now(Scene& scene, const View& view, double factor, glm::dvec2 toward) {
   const Pose pose = pose_of(scene, view);
-  const double clearance = std::clamp(pose.clearance / factor, lowest_clearance(scene), farthest);
+  const double clearance = std::clamp(pose.clearance / factor, least_clearance(scene), farthest);
   const double share = 1.0 - clearance / pose.clearance;
-  const CameraFrame frame = frame_of(scene);
+  const Facing facing = facing_of(scene.camera);
   const glm::dvec3 target = ground_point(pose, ray_through(pose, view, toward));
-  const double away = std::min(f64::angle_between(frame.place, target), 1.0);
+  const double away = std::min(f64::angle_between(facing.place, target), 1.0);
   if (away > 1e-9) {
-    const glm::dvec3 toward_target = glm::normalize(target - glm::dot(target, frame.place) * frame.place);
+    const glm::dvec3 toward_target = glm::normalize(target - glm::dot(target, facing.place) * facing.place);
     const double step = away * std::max(share, -0.5);
-    move_over(scene, step * glm::dot(toward_target, frame.right), step * glm::dot(toward_target, frame.ahead));
+    move_over(scene, step * glm::dot(toward_target, right_of(facing)), step * glm::dot(toward_target, facing.ahead));
   }
   set_distance(scene, glm::length(pose.eye) - pose.clearance + clearance);
   terrella::look(scene, 0.0, natural_pitch(clearance) - natural_pitch(pose.clearance));

@@ -33,20 +33,20 @@ constexpr double rest = 1e-3;      // below this part of walking it stands
 constexpr double touch = 1e-7;     // of the eyes' height: nearer to the ground feet stand on it
 constexpr double key_turn = 50.0;  // degrees a second
 
-double ground_at(const Scene& scene) { return surface_radius(scene, frame_of(scene).place); }
+double ground_at(const Scene& scene) { return surface_radius(scene, facing_of(scene.camera).place); }
 
 double feet_of(const Scene& scene) { return distance_of(scene) - eye_height(scene); }
 
 // Rise of the ground per length to the right and ahead.
 glm::dvec2 slope_at(const Scene& scene) {
-  const CameraFrame frame = frame_of(scene);
+  const Facing facing = facing_of(scene.camera);
   const double angle = reach * human_metre(scene);
   const auto along = [&](const glm::dvec3& side) {
-    const double there = surface_radius(scene, glm::normalize(frame.place + angle * side));
-    const double back = surface_radius(scene, glm::normalize(frame.place - angle * side));
+    const double there = surface_radius(scene, glm::normalize(facing.place + angle * side));
+    const double back = surface_radius(scene, glm::normalize(facing.place - angle * side));
     return (there - back) / (angle * (there + back));
   };
-  return {along(frame.right), along(frame.ahead)};
+  return {along(right_of(facing)), along(facing.ahead)};
 }
 
 // What is left of a way over the ground where that slopes. Lengths count along the slope.

@@ -5,6 +5,7 @@
 #include "gl/api.hpp"
 
 #ifdef __EMSCRIPTEN__
+#include <emscripten.h>
 #include <emscripten/html5_webgl.h>
 #endif
 
@@ -33,6 +34,18 @@ std::string text_of(GLenum what) {
   return text == nullptr ? "" : text;
 }
 
+// Depths from 0 to 1.
+void set_clip_control() {
+#ifdef __EMSCRIPTEN__
+  EM_ASM({
+    const clip = GLctx.getExtension('EXT_clip_control');
+    clip['clipControlEXT'](clip['LOWER_LEFT_EXT'], clip['ZERO_TO_ONE_EXT']);
+  });
+#else
+  current.es ? glClipControlEXT(GL_LOWER_LEFT_EXT, GL_ZERO_TO_ONE_EXT) : glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+#endif
+}
+
 }  // namespace
 
 Caps read_caps() {
@@ -47,6 +60,7 @@ Caps read_caps() {
   current.full_float_targets = !current.es || both;
   current.float_targets = current.full_float_targets || has_extension("EXT_color_buffer_half_float");
   current.parallel_compile = has_extension("KHR_parallel_shader_compile");
+  current.clip_control = has_extension(current.es ? "EXT_clip_control" : "ARB_clip_control");
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &current.max_texture);
   return current;
 }
@@ -71,6 +85,7 @@ void set_up_context() {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   }
 #endif
+  if (current.clip_control) set_clip_control();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }

@@ -9,6 +9,7 @@ struct Caps {
   bool es = false;                  // OpenGL ES or WebGL, not desktop OpenGL
   bool float_targets = false;       // 16 bit float textures can be drawn to; without them nothing can be drawn here
   bool full_float_targets = false;  // 32 bit ones too
+  bool clip_control = false;        // depths can run from 0 to 1 before they are stored, not from -1
   bool parallel_compile = false;    // shaders compile in the background and say when they are done
   int max_texture = 0;              // pixels along a side
 };

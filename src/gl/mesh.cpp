@@ -74,6 +74,40 @@ void Squares::draw(std::size_t first, std::size_t count) const {
   count_draw(static_cast<std::int64_t>(2 * count / floats_each_));
 }
 
+Instances::Instances(int vec4s_each, std::span<const std::uint16_t> indices)
+    : vec4s_each_(vec4s_each), index_bytes_(static_cast<std::int64_t>(indices.size_bytes())) {
+  glBindVertexArray(array_.name());
+  upload(GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(indices));
+  for (int i = 0; i < vec4s_each; ++i) {
+    glEnableVertexAttribArray(static_cast<GLuint>(i));
+    glVertexAttribDivisor(static_cast<GLuint>(i), 1);
+  }
+  glBindVertexArray(0);
+  memory_.set(index_bytes_);
+}
+
+void Instances::set(std::span<const glm::vec4> data) {
+  upload(GL_ARRAY_BUFFER, instances_, std::as_bytes(data), GL_STREAM_DRAW);
+  memory_.set(index_bytes_ + static_cast<std::int64_t>(data.size_bytes()));
+}
+
+void Instances::draw(std::size_t first_index, std::size_t index_count, std::size_t first, std::size_t count) const {
+  if (count == 0) return;
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
+  // What OpenGL ES has no base instance for.
+  const auto stride = static_cast<std::size_t>(vec4s_each_) * sizeof(glm::vec4);
+  for (int i = 0; i < vec4s_each_; ++i) {
+    const std::size_t offset = first * stride + static_cast<std::size_t>(i) * sizeof(glm::vec4);
+    glVertexAttribPointer(static_cast<GLuint>(i), 4, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+  }
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(index_count), GL_UNSIGNED_SHORT,
+                          reinterpret_cast<const void*>(sizeof(std::uint16_t) * first_index),
+                          static_cast<GLsizei>(count));
+  count_draw(static_cast<std::int64_t>(index_count / 3 * count));
+}
+
 void Strip::draw(int vertices) const {
   glBindVertexArray(array_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, vertices);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "gl/handle.hpp"
 #include "gl/ledger.hpp"
@@ -48,6 +49,28 @@ class Squares {
   VertexArrayHandle array_;
   BufferHandle vertices_;
   std::size_t floats_each_;
+  Holding memory_;
+};
+
+// Triangles between vertices that the vertex shader finds by gl_VertexID, drawn many times over: each instance has a
+// fixed number of vec4 attributes 0, 1, …
+class Instances {
+ public:
+  // indices: three a triangle, as one list of lists.
+  Instances(int vec4s_each, std::span<const std::uint16_t> indices);
+
+  // data: vec4s_each a piece; replaces what was there.
+  void set(std::span<const glm::vec4> data);
+
+  // first_index, index_count: of the indices; first, count: of the instances.
+  void draw(std::size_t first_index, std::size_t index_count, std::size_t first, std::size_t count) const;
+
+ private:
+  VertexArrayHandle array_;
+  BufferHandle indices_;
+  BufferHandle instances_;
+  int vec4s_each_;
+  std::int64_t index_bytes_;
   Holding memory_;
 };
 

@@ -83,6 +83,10 @@ void Program::finish() {
   set("ground_map", unit_ground);
   set("clouds_map", unit_clouds);
   set("image", unit_image);
+  set("node_places", unit_nodes);
+  set("node_coarser", unit_nodes + 1);
+  set("node_slopes", unit_nodes + 2);
+  set("node_coarser_slopes", unit_nodes + 3);
   finished_ = true;
 }
 

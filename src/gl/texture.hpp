@@ -1,6 +1,10 @@
 // Textures that passes draw into and read from.
 #pragma once
 
+#include <span>
+
+#include <glm/vec4.hpp>
+
 #include "gl/handle.hpp"
 #include "gl/ledger.hpp"
 
@@ -15,6 +19,9 @@ int bytes_of(Format format);
 class Image {
  public:
   Image(int width, int height, Format format);
+
+  // texels: no more than a row has; of a format of floats.
+  void set_row(int row, std::span<const glm::vec4> texels) const;
 
   void bind(int unit) const;
   [[nodiscard]] GLuint name() const { return texture_.name(); }

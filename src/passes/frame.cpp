@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "gl/caps.hpp"
 #include "planet/icosphere.hpp"
 #include "planet/materials.hpp"
 #include "planet/spheres.hpp"
@@ -50,7 +51,8 @@ RadiusRange water_range(const Frame& frame) {
 
 double lowest_still_water(const Frame& frame) {
   if (frame.needs.water == Water::none) return 0.0;
-  return (water_radius(frame.scene) + frame.needs.water_lift) * (1.0 - icosphere_sag(frame.needs.water_level));
+  const double lift = frame.needs.ground == Ground::quadtree ? 0.0 : frame.needs.water_lift;
+  return (water_radius(frame.scene) + lift) * (1.0 - icosphere_sag(frame.needs.water_level));
 }
 
 double map_level(const Frame& frame, double radius, double texel) {
@@ -67,7 +69,8 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   const glm::dvec2 drift = turned(glm::radians(scene.clouds.drift), view.seconds);
 
   FrameBlock block;
-  block.clip_from_eye = clip_from_eye(pose, view);
+  const DepthScheme depths = depth_scheme(pose, gl::caps().clip_control);
+  block.clip_from_eye = clip_from_eye(pose, view, depths);
   block.eye_high = glm::vec4(high, static_cast<float>(light.eye_height));
   block.eye_low = vector(pose.eye - glm::dvec3(high));
   const glm::dvec2 shift = 2.0 * view.shift / glm::dvec2(view.width, -view.height);
@@ -95,6 +98,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   // be, and dimmer for it.
   block.fineness = glm::vec4(footprint_of_pixel(scene), scene.quality.ground_texel_size, std::max(view.scale, 1.0),
                              std::pow(std::min(view.scale, 1.0), 2.0));
+  block.depth = glm::vec4(depths.far_plane, depths.log_factor, pose.near, 0.0);
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

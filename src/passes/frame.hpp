@@ -39,6 +39,7 @@ struct FrameBlock {
   glm::vec4 slopes;
   glm::vec4 sky_glow;
   glm::vec4 fineness;
+  glm::vec4 depth;
   glm::ivec4 channel;
 };
 

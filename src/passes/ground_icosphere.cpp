@@ -21,10 +21,6 @@ bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.low
 
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
-GroundIcosphere::Relief GroundIcosphere::relief_of(const Scene& scene) {
-  return {scene.planet, scene.terrain, water_level(scene), scene.water.ice_latitude};
-}
-
 void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {
   const Relief relief = relief_of(scene);
   if (relief_ == relief || begun_relief_ == relief) return;

@@ -11,49 +11,30 @@
 #include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
 #include "passes/cube_bake.hpp"
-#include "passes/frame.hpp"
-#include "passes/sphere_meshes.hpp"
+#include "passes/ground.hpp"
+#include "planet/relief.hpp"
 
 namespace terrella {
 
-class GroundIcosphere {
+class GroundIcosphere : public GroundPass {
  public:
   explicit GroundIcosphere(SphereMeshes& spheres);
 
   // Makes the scene's coarse mesh, if it has not, for the next update: work that can be done while programs compile.
-  void begin(const Scene& scene, const Needs& needs);
+  void begin(const Scene& scene, const Needs& needs) override;
 
-  // Starts to compile the programs that the needs call for.
-  void want(const Needs& needs);
-  // True once drawing will not wait for them.
-  bool ready() { return bake_program_.ready() && draw_program_.ready(); }
+  void want(const Needs& needs) override;
+  bool ready() override { return bake_program_.ready() && draw_program_.ready(); }
 
-  // Brings mesh and map up to date, as far as the frame's effort allows. Needs the scene's uniform block.
-  void update(const Frame& frame);
-
-  // Makes the map readable by all passes. level: of its mipmap that they read.
-  void bind_map(double level);
-  // Distance of the texels of the map in use, rad.
-  [[nodiscard]] double map_texel_angle() const;
-
-  void draw(const Frame& frame);
-  // Where the surface lies that is drawn, over each group of the icosphere.
-  [[nodiscard]] std::span<const RadiusRange> ranges() const { return drawn().ranges; }
-
-  // Whether it is drawn as the last update's needs ask.
-  [[nodiscard]] bool settled() const { return fine_ && fine_->fineness == wanted_; }
-  // Noise evaluated by the last update.
-  [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
+  void update(const Frame& frame) override;
+  void bind_map(double level) override;
+  [[nodiscard]] double map_texel_angle() const override;
+  void draw(const Frame& frame) override;
+  [[nodiscard]] std::span<const RadiusRange> ranges() const override { return drawn().ranges; }
+  [[nodiscard]] bool settled() const override { return fine_ && fine_->fineness == wanted_; }
+  [[nodiscard]] std::int64_t noise_evaluations() const override { return noise_evaluations_; }
 
  private:
-  // What the heights depend on.
-  struct Relief {
-    decltype(Scene::planet) planet;
-    decltype(Scene::terrain) terrain;
-    double water_level, ice_latitude;
-    bool operator==(const Relief&) const = default;
-  };
-
   struct Fineness {
     int level = 0, texels = 0;  // of the mesh, and of the map
     bool operator==(const Fineness&) const = default;
@@ -82,7 +63,6 @@ class GroundIcosphere {
     CubeBake bake;
   };
 
-  static Relief relief_of(const Scene& scene);
   [[nodiscard]] const Surface& drawn() const { return fine_ ? fine_->surface : *coarse_; }
   [[nodiscard]] gl::CubeMap& drawn_map() const { return fine_ ? *fine_->map : *coarse_map_; }
   Surface make_surface(double tolerance, int level, std::vector<glm::vec3> positions);

@@ -11,7 +11,7 @@ namespace terrella {
 namespace {
 
 // Beyond this frequency (cells per radian) integers of 32 bits no longer tell the cells apart; no picture shows them.
-constexpr double highest_frequency = 1e8;
+constexpr double highest_frequency = 1e9;
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 
 namespace terrella {
 
-inline constexpr int most_layers = 24;
+inline constexpr int most_layers = 32;
 
 // As in shaders/layer_block.glsl, std140.
 struct LayerBlock {

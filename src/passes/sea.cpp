@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "passes/node_meshes.hpp"
+
 namespace terrella {
 namespace {
 
@@ -30,13 +32,21 @@ SeaPass::SeaPass(Water technique, SphereMeshes& spheres)
     : spheres_(spheres), program_(technique == Water::calm ? "water/calm" : "water/waves") {}
 
 void SeaPass::want(const Needs& needs) {
+  over_nodes_ = needs.ground == Ground::quadtree;
+  if (over_nodes_) return node_program_.want(needs.ripple_layers > 0 ? "water/rippled_nodes" : "water/calm_nodes");
   const bool near = refines_ground(needs);
   if (needs.water == Water::waves) return program_.want(near ? "water/waves_near" : "water/waves");
   if (needs.ripple_layers > 0) return program_.want(near ? "water/rippled_near" : "water/rippled");
   program_.want(near ? "water/calm_near" : "water/calm");
 }
 
-void SeaPass::draw(const Frame& frame, std::span<const RadiusRange> ground) {
+void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
+  if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
+  const gl::Program& program = node_program_.use(frame.effort == Effort::complete);
+  ground->nodes()->draw(frame, program, NodeMeshes::Layer::sea);
+}
+
+void SeaPass::draw_sphere(const Frame& frame, std::span<const RadiusRange> ground) {
   if (frame.needs.water == Water::waves) {
     const WaveBlock block = wave_block(frame.sea);
     waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));

@@ -1,13 +1,11 @@
 // The sea as a sphere: calm with ripples (Sandahl 12, 13), or with trochoidal waves (Sandahl 14 to 16).
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
-#include "passes/frame.hpp"
-#include "passes/sphere_meshes.hpp"
+#include "passes/ground.hpp"
 
 namespace terrella {
 
@@ -19,15 +17,18 @@ class SeaPass {
   // Starts to compile the program that the needs call for.
   void want(const Needs& needs);
   // True once drawing will not wait for it.
-  bool ready() { return program_.ready(); }
+  bool ready() { return over_nodes_ ? node_program_.ready() : program_.ready(); }
 
-  // ground: over each group of the icosphere; empty where there is no ground. Where it stands out of the water whole,
-  // no water is drawn.
-  void draw(const Frame& frame, std::span<const RadiusRange> ground);
+  // ground: or nothing. Where it stands out of the water whole, no water is drawn; of one of nodes the sea takes those.
+  void draw(const Frame& frame, const GroundPass* ground);
 
  private:
+  void draw_sphere(const Frame& frame, std::span<const RadiusRange> ground);
+
   SphereMeshes& spheres_;
-  gl::ProgramChoice program_;
+  gl::ProgramChoice program_;  // over the sphere
+  gl::ProgramChoice node_program_{"water/nodes"};
+  bool over_nodes_ = false;
   gl::UniformBuffer waves_;
 };
 

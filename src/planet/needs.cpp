@@ -8,9 +8,11 @@
 
 #include "base/text.hpp"
 #include "formulas/formulas.hpp"
+#include "planet/cube_grid.hpp"
 #include "planet/icosphere_groups.hpp"
 #include "planet/lights.hpp"
 #include "planet/materials.hpp"
+#include "planet/node_ranges.hpp"
 #include "planet/octaves.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
@@ -22,7 +24,10 @@ namespace terrella {
 namespace {
 
 // Places in the choice lists of params.inc.
-enum : int { model_none = 0, water_calm = 2, water_waves = 3 };
+enum : int { model_none = 0, water_calm = 2, water_waves = 3, ground_icosphere = 2, ground_quadtree = 3 };
+
+// A planet that is large for who stands on it, and whose mountains are low beside it.
+constexpr double real_radius = 10e3, real_relief = 0.02;  // m; planet radii
 
 std::string number(double value) { return printed_number(value, 4); }
 
@@ -60,11 +65,62 @@ int sphere_level(double allowed) {
   return level;
 }
 
+// How far (pixels) flat triangles between the vertices of nodes miss the ground: less in 99 of 100 places
+// (tests/planet/node_error_test.cpp measures it). apart: vertices to a distance.
+double error_of_nodes(const Scene& scene, const Pose& pose, double apart) {
+  constexpr double of_deviation = 3.3, nearest = 1e-7, farthest = 2.0;  // planet radii
+  double most = 0.0;
+  for (double distance = nearest; distance < farthest; distance *= 4.0) {
+    const double spacing = apart * distance, pixel = pose.pixel_angle * distance;
+    const double missed = of_deviation * unseen_heights(scene, spacing, 0.5 * pixel) + spacing * spacing / 8.0;
+    most = std::max(most, missed / pixel);
+  }
+  return most;
+}
+
+// Nodes as far apart as can be, of as few cells as show the ground; where the most of them do not, more nodes. Neither
+// may change as the eye moves, which would mean to make all of them anew.
+void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
+  constexpr double most_split = 3.5, mean_distance = 1.4;  // of a node, of that at which it is split
+  const auto is_enough = [&](double split, int cells) {
+    return error_of_nodes(scene, pose, 1.0 / (mean_distance * split * cells)) <= scene.quality.pixel_error;
+  };
+  needs.ground_split = least_split;
+  for (const int cells : {least_cells, 14, 20, most_cells}) {
+    needs.ground_cells = cells;
+    if (is_enough(least_split, cells)) return;
+  }
+  while (needs.ground_split < most_split && !is_enough(needs.ground_split, most_cells)) needs.ground_split += 0.25;
+}
+
+// Nodes, and what pixels add to their vertices.
+void decide_nodes(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
+  const auto& terrain = scene.terrain;
+  decide_fineness(needs, scene, pose);
+  decide.add("ground.cells", needs.ground_cells, "along a side of a node: as few as quality.pixel_error allows");
+  decide.add("ground.split", needs.ground_split,
+             "edges of a node within which it is split in four: more where the most cells are not enough");
+  const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
+  while (needs.ground_deepest < deepest_level &&
+         vertex_spacing(needs.ground_deepest, needs.ground_cells) * finest > 0.25) {
+    ++needs.ground_deepest;
+  }
+  decide.add("ground.deepest", needs.ground_deepest, "the level whose vertices show the finest layer of noise");
+  needs.pixel_octaves_end =
+      visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint_below(scene, pose));
+  decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
+}
+
 void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& terrain = scene.terrain;
   if (terrain.model == model_none) return decide.add("ground", name_of(needs.ground), "terrain.model asks for none");
-  needs.ground = Ground::icosphere;
-  decide.add("ground", name_of(needs.ground), "the only model of a ground in this version");
+  needs.ground = ground_technique(scene);
+  decide.add("ground", name_of(needs.ground),
+             terrain.model > 1 ? "terrain.model asks for it"
+             : needs.ground == Ground::icosphere
+                 ? "a miniature: one mesh shows all of it"
+                 : "the planet is of real size: from 10 km of radius on, and mountains below a fiftieth of it");
+  if (needs.ground == Ground::quadtree) return decide_nodes(needs, scene, pose, decide);
 
   needs.ground_level = ground_level(scene);
   decide.add("ground.level", needs.ground_level,
@@ -121,7 +177,10 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   }
   const Sea sea = make_sea(scene, 0.0);
   const double shown = sea.highest / std::max(pose.pixel_angle * pose.clearance, 1e-12);
-  if (water.model == water_calm) {
+  if (needs.ground == Ground::quadtree) {
+    needs.water = Water::calm;
+    decide.add("water", name_of(needs.water), "waves do not yet ride a ground of nodes");
+  } else if (water.model == water_calm) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "water.model asks for it");
   } else if (sea.waves.empty()) {
@@ -142,10 +201,15 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
              needs.water == Water::waves
                  ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2, 8 below 0.1"
                  : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
-  // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map draws the
-  // shore. Never so far that it nears the eye, which in the smallest pictures would not count as an error.
-  needs.water_lift =
-      std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.clearance});
+  // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map, or the
+  // pixels of nodes, draw the shore. Never so far that it nears the eye, which in the smallest pictures would not count
+  // as an error.
+  if (needs.ground == Ground::quadtree) {
+    needs.water_lift = std::min(scene.quality.pixel_error * pose.pixel_angle, 0.05);
+  } else {
+    needs.water_lift =
+        std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.clearance});
+  }
 
   decide_ripples(needs, scene, pose, decide);
 }
@@ -263,7 +327,9 @@ bool anything_moves(const Needs& needs, const Scene& scene) {
 
 }  // namespace
 
-std::string_view name_of(Ground technique) { return technique == Ground::none ? "none" : "icosphere"; }
+std::string_view name_of(Ground technique) {
+  return technique == Ground::none ? "none" : technique == Ground::icosphere ? "icosphere" : "quadtree";
+}
 std::string_view name_of(Water technique) {
   return technique == Water::none ? "none" : technique == Water::calm ? "calm" : "waves";
 }
@@ -275,6 +341,14 @@ std::string_view name_of(SunImage technique) { return technique == SunImage::non
 std::string_view name_of(Stars technique) { return technique == Stars::none ? "none" : "noise"; }
 
 double texel_angle(int texels) { return 2.0 / texels; }
+
+Ground ground_technique(const Scene& scene) {
+  if (scene.terrain.model == model_none) return Ground::none;
+  if (scene.terrain.model == ground_icosphere) return Ground::icosphere;
+  if (scene.terrain.model == ground_quadtree) return Ground::quadtree;
+  const bool real = scene.planet.radius >= real_radius && scene.terrain.height <= real_relief * scene.planet.radius;
+  return real ? Ground::quadtree : Ground::icosphere;
+}
 
 int ground_level(const Scene& scene) {
   // From where the whole planet is seen; nearer, what the mesh can't carry comes from normals.

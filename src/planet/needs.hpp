@@ -9,7 +9,7 @@
 
 namespace terrella {
 
-enum class Ground { none, icosphere };
+enum class Ground { none, icosphere, quadtree };
 enum class Water { none, calm, waves };
 enum class Clouds { none, shell };
 enum class Air { none, fresnel };
@@ -46,15 +46,19 @@ struct Needs {
   int ground_level = 0;         // icosphere level of the finished ground
   double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii
   int ground_texels = 0;        // side of a face of its map
+  double ground_split = 0;      // of a ground of nodes: nearer than so many of its edges a node is split
+  int ground_deepest = 0;       // their finest level
+  int ground_cells = 0;         // along a side of each
   int pixel_octaves_first = 0;  // octaves of the ground computed at every pixel, because the map can't show them:
   int pixel_octaves_end = 0;    // [first, end); equal: none
   int water_level = 0;          // icosphere level of the sea
-  double water_lift = 0;        // by how much its mesh is raised, radii; never more than may be seen
-  int ripple_layers = 0;        // of small waves as flow noise at every pixel of a calm sea, and of its crust
-  int cloud_level = 0;          // icosphere level of the shell of clouds
-  int cloud_octaves = 0;        // that the map of the clouds holds, the finest maybe in part
-  int cloud_pixel_first = 0;    // octaves of the clouds computed at every pixel, because the map can't show them whole:
-  int cloud_pixel_end = 0;      // [first, end); equal: none
+  double water_lift = 0;  // by how much its mesh is raised, radii, or of nodes parts of the distance; never more than
+                          // may be seen
+  int ripple_layers = 0;  // of small waves as flow noise at every pixel of a calm sea, and of its crust
+  int cloud_level = 0;    // icosphere level of the shell of clouds
+  int cloud_octaves = 0;  // that the map of the clouds holds, the finest maybe in part
+  int cloud_pixel_first = 0;  // octaves of the clouds computed at every pixel, because the map can't show them whole:
+  int cloud_pixel_end = 0;    // [first, end); equal: none
   int cloud_texels = 0;
   double cloud_interval = 0.0;  // s between two pictures of the clouds, blended in between; 0: they do not change
   bool moving = false;          // something changes with time
@@ -82,6 +86,9 @@ double footprint_below(const Scene& scene, const Pose& pose);
 
 // Distance of neighbouring texels in the middle of a cube map's face, rad.
 double texel_angle(int texels);
+
+// How the ground is drawn, which depends on nothing but the scene.
+Ground ground_technique(const Scene& scene);
 
 // The icosphere level that the ground settles on.
 int ground_level(const Scene& scene);

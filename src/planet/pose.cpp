@@ -56,9 +56,18 @@ glm::dvec3 direction_of(double latitude, double longitude) {
   return {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
 }
 
+double least_clearance(const Scene& scene) {
+  constexpr double of_meshes = 1e-4, of_nodes = 1e-6, metres = 1.0;
+  if (ground_technique(scene) != Ground::quadtree) return of_meshes;
+  return std::min(of_nodes, metres / scene.planet.radius);
+}
+
 double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   double surface = 1.0;
-  if (has_ground(scene)) {
+  if (ground_technique(scene) == Ground::quadtree) {
+    // Finer than a hundredth of the least height above it nothing matters.
+    surface = 1.0 + f64::terrain_height_at(direction, exact_terrain_of(scene), 0.01 * least_clearance(scene)).value;
+  } else if (has_ground(scene)) {
     const f32::Terrain terrain = terrain_of(scene);
     surface = std::max({exact_ground_radius(exact_terrain_of(scene), direction, 1e-7),
                         drawn_ground_radius(terrain, direction, coarse_level),
@@ -84,7 +93,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   const glm::dvec3 down_from = direction_of(camera.latitude, camera.longitude);
   const double surface = surface_radius(scene, down_from);
   const double asked = 1.0 + camera.altitude / scene.planet.radius;
-  const double distance = std::max(asked, surface + least_clearance);
+  const double distance = std::max(asked, surface + least_clearance(scene));
 
   Pose pose;
   pose.raised = asked < distance;
@@ -167,21 +176,25 @@ double pixel_of_height(const Pose& pose) {
   return pose.pixel_angle * surface * (d - 1.0) * (d + 1.0) / d;
 }
 
-glm::mat4 clip_from_eye(const Pose& pose, const View& view) {
+DepthScheme depth_scheme(const Pose& pose, bool from_zero) {
+  if (from_zero) return {0.0, 1.0, 0.0, 0.0};
+  constexpr double widest = 1e4;  // where floats next to 1 still tell a thousandth of a distance
+  const double range = pose.far / pose.near;
+  return {-1.0, 2.0, -1.0, range > widest ? 2.0 / std::log2(range) : 0.0};
+}
+
+glm::mat4 clip_from_eye(const Pose& pose, const View& view, const DepthScheme& depths) {
   const double fy = 1.0 / pose.tan_half_fov;
   const double fx = fy * view.height / view.width;
-  const double depth = pose.far - pose.near;
-  const double a = (pose.far + pose.near) / depth;
-  const double b = -2.0 * pose.far * pose.near / depth;
   const double shift_x = 2.0 * view.shift.x / view.width, shift_y = -2.0 * view.shift.y / view.height;
   glm::mat4 m(0.0F);
   for (int i = 0; i < 3; ++i) {
     m[i][0] = static_cast<float>(fx * pose.right[i] + shift_x * pose.forward[i]);
     m[i][1] = static_cast<float>(fy * pose.up[i] + shift_y * pose.forward[i]);
-    m[i][2] = static_cast<float>(a * pose.forward[i]);
+    m[i][2] = static_cast<float>(depths.scale * pose.forward[i]);
     m[i][3] = static_cast<float>(pose.forward[i]);
   }
-  m[3][2] = static_cast<float>(b);
+  m[3][2] = static_cast<float>(depths.offset * pose.near);
   return m;
 }
 

@@ -37,8 +37,8 @@ struct Pose {
   bool raised;                    // the asked place was under the ground or the sea
 };
 
-// The camera comes no nearer to the ground, radii: walking height on a miniature planet.
-inline constexpr double least_clearance = 1e-4;
+// The camera comes no nearer to the ground, radii: on a miniature planet as an ant walks, on a large one as a child.
+double least_clearance(const Scene& scene);
 
 // Unit vector to a place on the planet. Degrees.
 glm::dvec3 direction_of(double latitude, double longitude);
@@ -85,7 +85,19 @@ double outermost_radius(const Scene& scene);
 // angle whose cosine is 2 d / (1 + d^2), as its length times d / (d^2 - 1).
 double pixel_of_height(const Pose& pose);
 
+// How distances along the middle of the picture become depths, which fall with them: clip z is scale * w + offset *
+// near.
+struct DepthScheme {
+  double scale, offset;
+  double far_plane;   // clip z at infinity, as a part of w
+  double log_factor;  // above 0: clip z is w * (1 - log_factor * log2(w / near)) instead
+};
+
+// from_zero: whether the driver stores depths of 0 to 1 as they are, not mapped from -1..1, which takes from floats
+// what they tell apart far away. Where they are, and distances differ too much for what is left, they go by logarithms.
+DepthScheme depth_scheme(const Pose& pose, bool from_zero);
+
 // From positions relative to the eye to clip space.
-glm::mat4 clip_from_eye(const Pose& pose, const View& view);
+glm::mat4 clip_from_eye(const Pose& pose, const View& view, const DepthScheme& depths);
 
 }  // namespace terrella

@@ -1,6 +1,7 @@
 #include "planet/terrain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -81,6 +82,24 @@ double unseen_slopes(const Scene& scene, double footprint) {
   }
   const double total = f64::amplitude_sum(terrain.persistence, terrain.octaves);
   return total > 0.0 ? std::min(variance / (total * total), 1e6) : 0.0;
+}
+
+double unseen_heights(const Scene& scene, double footprint, double finer) {
+  // Of noise, and of its distance from 0 (tests/laws/noise_test.cpp and heights_test.cpp).
+  const auto& terrain = scene.terrain;
+  const double layer_deviation = terrain.ridged ? 0.23 : 0.5 * 0.38;
+  double variance = 0.0, amplitude = 1.0, frequency = terrain.frequency;
+  for (int i = 0; i < terrain.octaves; ++i) {
+    const double lost = f64::layer_weight(frequency, finer) - f64::layer_weight(frequency, footprint);
+    variance += std::pow(lost * amplitude * layer_deviation, 2.0);
+    amplitude *= terrain.persistence;
+    frequency *= terrain.lacunarity;
+  }
+  const double total = f64::amplitude_sum(terrain.persistence, terrain.octaves);
+  if (total <= 0.0) return 0.0;
+  constexpr double steep = 0.7;
+  return std::sqrt(variance) / total *
+         f64::height_power_slope(steep, terrain.height / scene.planet.radius, terrain.power);
 }
 
 bool has_ground(const Scene& scene) { return scene.terrain.model != 0; }

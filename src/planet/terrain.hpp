@@ -32,6 +32,10 @@ double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direct
 // the power of heights, which multiplies slopes by height_power_slope.
 double unseen_slopes(const Scene& scene, double footprint);
 
+// How far (planet radii) the ground rises and falls, as a standard deviation, by layers that samples a footprint (rad)
+// apart can't show, and that those of finer ones can: where it is steep, seven tenths of the way up to its highest.
+double unseen_heights(const Scene& scene, double footprint, double finer);
+
 // Terrain is drawn only where the scene asks for it.
 bool has_ground(const Scene& scene);
 bool has_water(const Scene& scene);

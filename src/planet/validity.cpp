@@ -45,9 +45,10 @@ void judge_camera(const Scene& scene, const Pose& pose, std::vector<Issue>& issu
   if (!pose.raised) return;
   const double radius = scene.planet.radius;
   const double over = radius * (1.0 - glm::length(pose.eye) + pose.clearance) + scene.camera.altitude;
-  issues.push_back({"camera.altitude", over < 0.0 ? "the camera was under the surface and was raised above it."
-                                                  : text_of("the camera comes no nearer to the surface than ",
-                                                            number(least_clearance * radius), " m on this planet.")});
+  issues.push_back({"camera.altitude", over < 0.0
+                                           ? "the camera was under the surface and was raised above it."
+                                           : text_of("the camera comes no nearer to the surface than ",
+                                                     number(least_clearance(scene) * radius), " m on this planet.")});
 }
 
 void judge_heights(const Scene& scene, const Needs& needs, std::vector<Issue>& issues) {

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planet/noise_bounds.hpp"
 #include "planet/terrain.hpp"
 #include "reference/first_hit.hpp"
 
 namespace terrella::reference {
 namespace {
-
-// The steepest slope of simplex noise, the fastest that it changes and the largest value, in cells
-// (tests/laws/bounds_test.cpp measures them).
-constexpr double noise_slope = 6.5, noise_curvature = 48.0, noise_range = 1.02;
 
 // Finer layers (cells per radian) doubles and integers of 32 bits place no more.
 constexpr double finest = 1e8;

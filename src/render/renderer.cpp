@@ -49,7 +49,7 @@ Scene scene_as_drawn(Scene scene, const Needs& needs) {
 void draw_opaque() {
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
-  glDepthFunc(GL_LESS);
+  glDepthFunc(GL_GREATER);
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
 }
@@ -57,7 +57,7 @@ void draw_opaque() {
 // What is behind shines through by 1 - alpha; colours come weighted.
 void draw_veils() {
   glDepthMask(GL_FALSE);
-  glDepthFunc(GL_LEQUAL);
+  glDepthFunc(GL_GEQUAL);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -107,7 +107,7 @@ void Renderer::choose_techniques(Effort effort) {
   // Its program is the smallest; a driver that compiles one after the other is not to begin with the others.
   only_air_ = effort == Effort::soonest && air_;
   if (only_air_) return;
-  ground_.choose(needs_.ground, spheres_);
+  ground_.choose_made(needs_.ground, [&](Ground technique) { return make_ground(technique, spheres_); });
   water_.choose(needs_.water, needs_.water, spheres_);
   clouds_.choose(needs_.clouds, spheres_);
   stars_.choose(needs_.stars);
@@ -159,7 +159,7 @@ void Renderer::draw_rows(const Rows& rows) {
   draw_opaque();
   // The ground first: it costs little where water hides it, and hides the water behind it.
   if (ground_) ground_->draw(frame);
-  if (water_) water_->draw(frame, ground_ ? ground_->ranges() : std::span<const RadiusRange>());
+  if (water_) water_->draw(frame, ground_.get());
   if (frame.channel == Channel::color) {
     draw_veils();
     if (stars_) stars_->draw(frame);
@@ -247,7 +247,7 @@ void Renderer::begin_light(const View& view, const Shot& shot) {
                         ? std::numeric_limits<float>::infinity()
                         : 0.0F;
   const float clear[] = {sky, sky, sky, 0.0F};  // alpha: how much of the sky is covered
-  const float farthest = 1.0F;
+  const float farthest = 0.0F;                  // depths fall with distance
   glDepthMask(GL_TRUE);
   glClearBufferfv(GL_COLOR, 0, clear);
   glClearBufferfv(GL_DEPTH, 0, &farthest);

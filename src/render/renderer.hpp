@@ -12,7 +12,7 @@
 #include "passes/air_fresnel.hpp"
 #include "passes/clouds_shell.hpp"
 #include "passes/frame.hpp"
-#include "passes/ground_icosphere.hpp"
+#include "passes/ground.hpp"
 #include "passes/night_lights.hpp"
 #include "passes/picture.hpp"
 #include "passes/rings_plane.hpp"
@@ -103,7 +103,7 @@ class Renderer {
 
   SphereMeshes spheres_;
   gl::UniformBuffer scene_buffer_, frame_buffer_;
-  Slot<Ground, GroundIcosphere> ground_;
+  Slot<Ground, GroundPass> ground_;
   Slot<Water, SeaPass> water_;
   Slot<Clouds, CloudsShell> clouds_;
   Slot<Air, AirFresnel> air_;

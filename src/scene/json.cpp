@@ -5,9 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/text.hpp"
-#include "base/utf8.hpp"
 #include "scene/entries.hpp"
-#include "scene/json_reader.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -47,18 +45,7 @@ std::string to_json(const SceneDocument& document) {
 
 Issues load_json(SceneDocument& document, std::string_view text) {
   Issues issues;
-  if (text.size() > kLongestJson) {
-    issues.add("", text_of("The scene is ", text.size(), " bytes long; at most ", kLongestJson, " are read."));
-    return issues;
-  }
-  std::string repaired;
-  const std::size_t not_utf8 = find_not_utf8(text);
-  if (not_utf8 != std::string_view::npos) {
-    issues.add("", text_of("The scene is not UTF-8 text from byte ", not_utf8 + 1, " on."));
-    text = repaired = repaired_utf8(text);
-  }
-  const JsonReading reading = read_json(text);
-  if (!reading.trouble.empty()) issues.add("", reading.trouble);
+  const JsonReading reading = read_given_json(text, {}, issues);
   apply_entries(document, reading.entries, kNotOurs, issues);
   return issues;
 }

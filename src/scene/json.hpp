@@ -1,17 +1,14 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "base/issues.hpp"
 #include "scene/document.hpp"
+#include "scene/json_reader.hpp"
 #include "scene/parameters.hpp"
 
 namespace terrella {
-
-// The longest text that load_json reads, in bytes.
-inline constexpr std::size_t kLongestJson = 1'000'000;
 
 // The shortest JSON of the document: {"terrella":1,"preset":"storm","waves":{"steepness":0.9}}, with only what differs
 // from its preset. load_json makes the same scene of it, value for value.

@@ -24,18 +24,19 @@ std::string kept_name(const std::string& name) {
 
 class Reader {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  Reader(std::string_view text, const JsonForm& form) : text_(text), form_(form) {}
 
   JsonReading read() {
     if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;  // a byte order mark
     skip_spaces();
     if (text_.empty() || at_ == text_.size()) {
-      fail("The text is empty; a scene is a JSON object, at least {}.");
+      fail(text_of("The text is empty; a ", form_.what, " is a JSON object, at least {}."));
     } else if (peek() != '{') {
-      fail(text_of("A scene is a JSON object, {…}, and this begins with \"", shortened(text_.substr(at_), 20), "\"."));
+      fail(text_of("A ", form_.what, " is a JSON object, {…}, and this begins with \"",
+                   shortened(text_.substr(at_), 20), "\"."));
     } else if (read_members("", Depth::Scene)) {
       skip_spaces();
-      if (at_ < text_.size()) fail_here("the scene ends, but the text goes on");
+      if (at_ < text_.size()) fail_here(text_of("the ", form_.what, " ends, but the text goes on"));
     }
     return std::move(reading_);
   }
@@ -89,13 +90,41 @@ class Reader {
   bool read_member(const std::string& path, Depth depth) {
     skip_spaces();
     if (peek() == '{' && depth == Depth::Scene) return read_members(path + ".", Depth::Group);
+    const bool is_list = depth == Depth::Scene && !form_.list.empty() && path == form_.list && peek() == '[';
+    return is_list ? read_list(path) : read_entry(path, '}', "a comma or a closing brace", reading_.entries);
+  }
+
+  // A value that a comma or `end` follows. Only what follows shows that it is complete: 1 may be the beginning of 15.
+  bool read_entry(const std::string& path, char end, std::string_view expected, std::vector<Entry>& entries) {
     std::optional<Entry> entry = read_value(path);
     if (!entry) return false;
-    // Only what follows shows that a value is complete: 1 may be the beginning of 15.
     skip_spaces();
-    if (peek() != ',' && peek() != '}') return fail_expecting("a comma or a closing brace");
-    reading_.entries.push_back(std::move(*entry));
+    if (peek() != ',' && peek() != end) return fail_expecting(expected);
+    entries.push_back(std::move(*entry));
     return true;
+  }
+
+  // The form's list, from its '[' to its ']'. What its objects hold goes to their own entries.
+  bool read_list(const std::string& path) {
+    constexpr std::string_view kExpected = "a comma or a closing bracket";
+    reading_.entries.push_back({path, "[…]", std::nullopt});
+    ++at_;
+    if (accept(']')) return true;
+    do {
+      skip_spaces();
+      std::vector<Entry> item;
+      const bool read = peek() == '{' ? read_object_into(item) : read_entry("", ']', kExpected, item);
+      if (!read) return false;
+      reading_.list.push_back(std::move(item));
+    } while (accept(','));
+    return accept(']') || fail_expecting(kExpected);
+  }
+
+  bool read_object_into(std::vector<Entry>& entries) {
+    reading_.entries.swap(entries);
+    const bool read = read_members("", Depth::Group);
+    reading_.entries.swap(entries);
+    return read;
   }
 
   std::optional<Entry> read_value(const std::string& path) {
@@ -205,12 +234,30 @@ class Reader {
   }
 
   std::string_view text_;
+  JsonForm form_;
   std::size_t at_ = 0;
   JsonReading reading_;
 };
 
 }  // namespace
 
-JsonReading read_json(std::string_view text) { return Reader(text).read(); }
+JsonReading read_json(std::string_view text, const JsonForm& form) { return Reader(text, form).read(); }
+
+JsonReading read_given_json(std::string_view bytes, const JsonForm& form, Issues& issues) {
+  if (bytes.size() > kLongestJson) {
+    issues.add("",
+               text_of("The ", form.what, " is ", bytes.size(), " bytes long; at most ", kLongestJson, " are read."));
+    return {};
+  }
+  std::string repaired;
+  const std::size_t not_utf8 = find_not_utf8(bytes);
+  if (not_utf8 != std::string_view::npos) {
+    issues.add("", text_of("The ", form.what, " is not UTF-8 text from byte ", not_utf8 + 1, " on."));
+    bytes = repaired = repaired_utf8(bytes);
+  }
+  JsonReading reading = read_json(bytes, form);
+  if (!reading.trouble.empty()) issues.add("", reading.trouble);
+  return reading;
+}
 
 }  // namespace terrella

@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/camera_frame.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
@@ -91,7 +90,7 @@ TEST(CameraControl, ZoomsDownToWalkingHeightAndNoFurther) {
       control.drag(scene, view, {places.between(-50.0, 50.0), places.between(-50.0, 50.0)});
       control.tick(scene, view, 0.016);
       const Pose pose = pose_of(scene, view);
-      ASSERT_GE(pose.clearance, 0.99 * lowest_clearance(scene));
+      ASSERT_GE(pose.clearance, 0.99 * least_clearance(scene));
     }
     EXPECT_LT(pose_of(scene, view).clearance, 0.02);
   }

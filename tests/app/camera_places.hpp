@@ -36,13 +36,13 @@ inline Scene hilly_planet(double radius, double height, double sea = 0.0) {
 
 inline Scene earth() { return hilly_planet(6.371e6, 2e4, 1e3); }
 
-inline double ground_under(const Scene& scene) { return surface_radius(scene, frame_of(scene).place); }
+inline double ground_under(const Scene& scene) { return surface_radius(scene, facing_of(scene.camera).place); }
 
 inline void put_over_ground(Scene& scene, double clearance) { set_distance(scene, ground_under(scene) + clearance); }
 
 inline void stand(Scene& scene) { put_over_ground(scene, eye_height(scene)); }
 
-inline glm::dvec3 eye_of(const Scene& scene) { return distance_of(scene) * frame_of(scene).place; }
+inline glm::dvec3 eye_of(const Scene& scene) { return distance_of(scene) * facing_of(scene.camera).place; }
 
 // Metres of people between two places.
 inline double metres_between(const Scene& scene, const glm::dvec3& a, const glm::dvec3& b) {

@@ -17,8 +17,8 @@ TEST(Fly, GoesAsFarAsTheGroundIsBelowInTheSameTimeAtEveryHeight) {
       Held flight(scene, CameraMode::fly);
       flight.hold({.ahead = 1.0}, 2.0);  // at full speed
       double flown = 0.0;
-      flight.hold({.ahead = 1.0}, 1.0, [&, before = frame_of(scene).place]() mutable {
-        const glm::dvec3 place = frame_of(scene).place;
+      flight.hold({.ahead = 1.0}, 1.0, [&, before = facing_of(scene.camera).place]() mutable {
+        const glm::dvec3 place = facing_of(scene.camera).place;
         flown += 2.0 * std::asin(0.5 * glm::distance(place, before)) * (1.0 + clearance);
         before = place;
       });
@@ -113,7 +113,7 @@ TEST(Fly, NeverEntersTheGround) {
                       .fast = i % 2 == 0};
       flight.hold(push, 0.5, [&] {
         const Pose pose = pose_of(scene, {});
-        ASSERT_GE(pose.clearance, (1.0 - 1e-9) * lowest_clearance(scene)) << preset.name;
+        ASSERT_GE(pose.clearance, (1.0 - 1e-9) * least_clearance(scene)) << preset.name;
         ASSERT_LT(std::abs(glm::length(pose.eye) - distance_of(scene)), 1e-12) << preset.name;  // it was kept
       });
     }

@@ -27,14 +27,14 @@ Scene planet_of_slopes(double slope) {
 
 // Rise per length over two metres to the right and ahead.
 glm::dvec2 slope_of(const Scene& scene) {
-  const CameraFrame frame = frame_of(scene);
+  const Facing facing = facing_of(scene.camera);
   const double angle = human_metre(scene);
   const auto along = [&](const glm::dvec3& side) {
-    return (surface_radius(scene, glm::normalize(frame.place + angle * side)) -
-            surface_radius(scene, glm::normalize(frame.place - angle * side))) /
+    return (surface_radius(scene, glm::normalize(facing.place + angle * side)) -
+            surface_radius(scene, glm::normalize(facing.place - angle * side))) /
            (2.0 * angle * test::ground_under(scene));
   };
-  return {along(frame.right), along(frame.ahead)};
+  return {along(right_of(facing)), along(facing.ahead)};
 }
 
 // Whether the ground rises by so much for some metres around: where meshes of it meet it has edges.
@@ -94,15 +94,15 @@ TEST(Walk, GoesAtThePaceOfPeople) {
     test::stand(scene);
     Held walk(scene, CameraMode::walk);
     walk.hold({.right = 1.0}, 2.0);
-    const glm::dvec3 first = frame_of(scene).place;
+    const glm::dvec3 first = facing_of(scene.camera).place;
     walk.hold({.right = 1.0}, 10.0);
-    const glm::dvec3 second = frame_of(scene).place;
+    const glm::dvec3 second = facing_of(scene.camera).place;
     walk.hold({.right = 1.0, .ahead = 1.0, .fast = true}, 2.0);
-    const glm::dvec3 third = frame_of(scene).place;
+    const glm::dvec3 third = facing_of(scene.camera).place;
     walk.hold({.right = 1.0, .ahead = 1.0, .fast = true}, 10.0);
     EXPECT_NEAR(test::metres_between(scene, first, second), 14.0, 0.02) << radius;
-    EXPECT_NEAR(test::metres_between(scene, third, frame_of(scene).place), 50.0, 0.1) << radius;
-    EXPECT_NEAR(eye_height(scene) * std::max(radius, 1000.0), std::max(1.7, lowest_clearance(scene) * radius), 1e-9);
+    EXPECT_NEAR(test::metres_between(scene, third, facing_of(scene.camera).place), 50.0, 0.1) << radius;
+    EXPECT_NEAR(eye_height(scene) * std::max(radius, 1000.0), std::max(1.7, least_clearance(scene) * radius), 1e-9);
   }
 }
 
@@ -115,7 +115,7 @@ TEST(Walk, CrossesThePoleAndTheDateLineStraightOn) {
       scene.camera.longitude = pole ? 30.0 : 180.0 - 3.0 * metre;
       scene.camera.heading = pole ? 0.0 : 90.0;
       test::stand(scene);
-      const CameraFrame first = frame_of(scene);
+      const Facing first = facing_of(scene.camera);
       Held walk(scene, CameraMode::walk);
       Pose before = pose_of(scene, {});
       walk.hold({.ahead = 1.0}, 6.0, [&] {
@@ -124,9 +124,9 @@ TEST(Walk, CrossesThePoleAndTheDateLineStraightOn) {
         ASSERT_LT(glm::distance(before.right, after.right), 1e-4);
         before = after;
       });
-      const double angle = std::asin(glm::dot(frame_of(scene).place, first.ahead));
+      const double angle = std::asin(glm::dot(facing_of(scene.camera).place, first.ahead));
       EXPECT_NEAR(angle / human_metre(scene), 6.0 * 1.4 - 0.14, 1e-2);  // less what it takes to come into motion
-      EXPECT_NEAR(glm::dot(frame_of(scene).place, first.right) / human_metre(scene), 0.0, 1e-3);
+      EXPECT_NEAR(glm::dot(facing_of(scene.camera).place, right_of(first)) / human_metre(scene), 0.0, 1e-3);
       EXPECT_NEAR(scene.camera.longitude, pole ? -150.0 : -180.0, pole ? 1e-3 : 1.0);
     }
   }

@@ -83,6 +83,41 @@ constexpr auto kLinkWords = std::to_array<std::string_view>({"&",
                                                              "sun.color=",
                                                              "\xff"});
 
+constexpr auto kPathWords = std::to_array<std::string_view>({"{",
+                                                             "}",
+                                                             "[",
+                                                             "]",
+                                                             ":",
+                                                             ",",
+                                                             "\"",
+                                                             "{},",
+                                                             "\"at\":0,",
+                                                             "\"at\":1e9",
+                                                             "-1",
+                                                             "1e999",
+                                                             "\"a\":1,",
+                                                             "\"views\":[",
+                                                             "latitude",
+                                                             "\"fov\":1,",
+                                                             "null",
+                                                             "1e12",
+                                                             "-90",
+                                                             "180",
+                                                             "\"at\":",
+                                                             "\xff",
+                                                             "NaN",
+                                                             "\\u0000",
+                                                             "\"terrella_path\":1,",
+                                                             "[[[[",
+                                                             "\"heading\":360,"});
+
+std::vector<std::string> path_seeds() {
+  return {
+      R"({"terrella_path": 1, "views": [{}, {"latitude": 90, "altitude": 1e12}, {"altitude": 0, "at": 9}]})",
+      R"({"terrella_path": 1, "views": [{"at": 0}, {"at": 1}, {"longitude": 180, "fov": 170}, {"pitch": 90}]})",
+      R"({"terrella_path":1,"title":"x","views":[{"latitude":14,"heading":-360},{"latitude":-14,"longitude":180}]})"};
+}
+
 std::vector<std::string> json_seeds() {
   std::vector<std::string> seeds;
   for (const PresetText& file : preset_texts()) seeds.emplace_back(file.json);
@@ -110,6 +145,7 @@ void run(char entry, const std::vector<std::string>& seeds, std::span<const std:
 
 TEST(Fuzz, JsonIsLoadedOrAnswered) { run(0, json_seeds(), kJsonWords); }
 TEST(Fuzz, LinksAreLoadedOrAnswered) { run(1, link_seeds(), kLinkWords); }
+TEST(Fuzz, PathsAreFlownOrAnswered) { run(2, path_seeds(), kPathWords); }
 
 }  // namespace
 }  // namespace terrella

@@ -1,11 +1,15 @@
 #include "targets.hpp"
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/utf8.hpp"
+#include "planet/journey.hpp"
+#include "scene/camera_path.hpp"
 #include "scene/json.hpp"
 #include "scene/json_reader.hpp"
 #include "scene/link.hpp"
@@ -67,15 +71,35 @@ void fuzz_link(std::string_view text) {
   check_document(document, issues);
 }
 
+void fuzz_path(std::string_view text) {
+  Issues issues;
+  const std::vector<PathView> views = read_path(text, {}, issues);
+  check_sentences(issues);
+  Scene scene;
+  scene.terrain.model = scene.water.model = 0;
+  for (const PathView& view : views) {
+    scene.camera = view.camera;
+    check_values(scene);
+  }
+  if (!issues.empty()) return;
+  CHECK(views.size() >= 2);
+  const Journey journey(scene, views);
+  CHECK(std::isfinite(journey.seconds()) && journey.seconds() > 0.0, journey.seconds());
+  for (const double part : {0.0, 0.3, 0.7, 1.0}) {
+    scene.camera = journey.at(part * journey.seconds());
+    check_values(scene);
+  }
+}
+
 }  // namespace terrella
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  if (data[0] % 2 == 0) {
-    terrella::fuzz_json(text);
-  } else {
-    terrella::fuzz_link(text);
+  switch (data[0] % 3) {
+    case 0: terrella::fuzz_json(text); break;
+    case 1: terrella::fuzz_link(text); break;
+    default: terrella::fuzz_path(text);
   }
   return 0;
 }

@@ -11,8 +11,10 @@ namespace terrella {
 // again.
 void fuzz_json(std::string_view text);
 void fuzz_link(std::string_view text);
+// The same of a path for the camera: what is read without a complaint can be flown.
+void fuzz_path(std::string_view text);
 
 }  // namespace terrella
 
-// libFuzzer's entry: the first byte says which of the two, the rest is the text.
+// libFuzzer's entry: the first byte says which of the three, the rest is the text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -62,6 +62,7 @@ TEST_P(Blocks, FrameBlock) {
                                                          {"levels", offsetof(FrameBlock, levels)},
                                                          {"ripple_turn", offsetof(FrameBlock, ripple_turn)},
                                                          {"fineness", offsetof(FrameBlock, fineness)},
+                                                         {"depth", offsetof(FrameBlock, depth)},
                                                          {"channel", offsetof(FrameBlock, channel)}};
   for (const auto& [name, offset] : members) {
     EXPECT_EQ(offset_of(program, name), static_cast<GLint>(offset)) << name;

@@ -87,7 +87,7 @@ TEST(Pose, NeverStandsUnderGroundOrSea) {
       scene.camera.latitude = places.between(-90.0, 90.0);
       scene.camera.longitude = places.between(-180.0, 180.0);
       const Pose pose = pose_of(scene, {});
-      EXPECT_GE(glm::length(pose.eye), surface_radius(scene, glm::normalize(pose.eye)) + 0.99 * least_clearance);
+      EXPECT_GE(glm::length(pose.eye), surface_radius(scene, glm::normalize(pose.eye)) + 0.99 * least_clearance(scene));
       EXPECT_TRUE(pose.raised);
     }
   }
@@ -118,7 +118,7 @@ TEST(ClipFromEye, AgreesWithTheRayThroughEveryPixel) {
       view.height = height;
       view.shift = {places.between(-0.5, 0.5), places.between(-0.5, 0.5)};
       const Pose pose = pose_of(scene, view);
-      const glm::dmat4 clip(clip_from_eye(pose, view));
+      const glm::dmat4 clip(clip_from_eye(pose, view, depth_scheme(pose, true)));
       for (int i = 0; i < 50; ++i) {
         const glm::dvec2 pixel(places.between(0.0, width), places.between(0.0, height));
         const glm::dvec3 ray = ray_through(pose, view, pixel);
@@ -127,6 +127,44 @@ TEST(ClipFromEye, AgreesWithTheRayThroughEveryPixel) {
         EXPECT_NEAR((1.0 - at.y / at.w) * 0.5 * height, pixel.y, 0.01);
       }
     }
+  }
+}
+
+// What the driver stores for a distance, as shaders/frame_block.glsl and the driver come to it.
+float stored_depth(const DepthScheme& depths, const Pose& pose, float distance, bool from_zero) {
+  const auto near = static_cast<float>(pose.near);
+  const auto by_matrix = static_cast<float>(depths.scale) * distance + static_cast<float>(depths.offset * pose.near);
+  const auto by_logarithm = distance * (1.0F - static_cast<float>(depths.log_factor) * std::log2(distance / near));
+  const float z = (depths.log_factor > 0.0 ? by_logarithm : by_matrix) / distance;
+  return from_zero ? z : 0.5F * z + 0.5F;
+}
+
+TEST(DepthScheme, TellsDistancesApartThatDifferByAThousandthFromAHandsBreadthToAThousandRadii) {
+  Scene scene;
+  scene.planet.radius = 1e8;
+  for (const double altitude : {0.0, 1e-6, 1e-3, 1.0, 1000.0}) {
+    scene.camera.altitude = altitude * scene.planet.radius;
+    const Pose pose = pose_of(scene, {});
+    for (const bool from_zero : {true, false}) {
+      const DepthScheme depths = depth_scheme(pose, from_zero);
+      float before = 2.0F;
+      for (double distance = pose.near; distance < pose.far; distance *= 1.001) {
+        const float depth = stored_depth(depths, pose, static_cast<float>(distance), from_zero);
+        ASSERT_LT(depth, before) << distance << " of " << pose.near << ".." << pose.far << " from_zero " << from_zero;
+        ASSERT_GE(depth, 0.0F);
+        before = depth;
+      }
+    }
+  }
+}
+
+TEST(DepthScheme, BeginsAtTheNearPlaneAndEndsAtInfinity) {
+  const Pose pose = pose_of({}, {});
+  for (const bool from_zero : {true, false}) {
+    const DepthScheme depths = depth_scheme(pose, from_zero);
+    EXPECT_NEAR(stored_depth(depths, pose, static_cast<float>(pose.near), from_zero), 1.0F, 1e-6F);
+    EXPECT_NEAR(stored_depth(depths, pose, 1e12F, from_zero),
+                from_zero ? 0.0F : 0.5F + 0.5F * static_cast<float>(depths.far_plane), 1e-6F);
   }
 }
 

@@ -68,6 +68,35 @@ TEST(ReadJson, SaysWhereThereIsNoScene) {
   EXPECT_EQ(flat("[1, 2]"), "A scene is a JSON object, {…}, and this begins with \"[1, 2]\".");
 }
 
+// The entries of each object of the list, then those of the text itself.
+std::string listed(std::string_view json) {
+  std::string text;
+  const JsonReading reading = read_json(json, {"walk", "steps"});
+  for (const std::vector<Entry>& item : reading.list) {
+    for (const Entry& entry : item) text += entry.path + "=" + entry.text + ";";
+    text += "|";
+  }
+  for (const Entry& entry : reading.entries) text += entry.path + "=" + entry.text + ";";
+  return text + reading.trouble;
+}
+
+TEST(ReadJson, ReadsTheListOfAForm) {
+  EXPECT_EQ(listed(R"({"a": 1, "steps": [{"x": 1, "y": [2]}, {}, 7, "z"], "b": 2})"),
+            "x=1;y=[2];||=7;|=z;|a=1;steps=[…];b=2;");
+  EXPECT_EQ(listed(R"({"steps": [ ]})"), "steps=[…];");
+  EXPECT_EQ(listed(R"({"steps": 3, "group": {"steps": [{"x": 1}]}})"), "steps=3;group.steps=[{\"x\": 1}];");
+  EXPECT_EQ(listed(R"({"steps": [{"x": 1}, {"x": 2)"),
+            "x=1;|steps=[…];Line 1, column 29: the text breaks off; the rest was not read.");
+  EXPECT_EQ(listed(R"({"steps": [1}, "b": 2})"),
+            "steps=[…];Line 1, column 13: a comma or a closing bracket should stand here, not \"}, \"b\": 2}\"; the "
+            "rest was not read.");
+  EXPECT_EQ(listed("7"), "A walk is a JSON object, {…}, and this begins with \"7\".");
+}
+
+TEST(ReadJson, KnowsNoListWhereTheFormHasNone) {
+  EXPECT_EQ(flat(R"({"": [{"x": 1}], "steps": [{"x": 1}]})"), "=[{\"x\": 1}];steps=[{\"x\": 1}];");
+}
+
 // Wherever a text breaks off, there is a sentence, and no value that the whole text does not have.
 TEST(ReadJson, NeverMakesUpAValue) {
   const std::string whole =

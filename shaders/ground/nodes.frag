@@ -1,0 +1,9 @@
+// The ground of nodes.
+#include "ground_surface.glsl"
+#include "node_surface.glsl"
+
+void main() {
+  vec3 up = normalize(surface_position());
+  vec3 from_anchor = direction_from_anchor(surface_from_eye);
+  emit_ground(node_ground(up, from_anchor, pixel_footprint(up, surface_from_eye, 0.12)), 0.0);
+}

@@ -1,0 +1,80 @@
+// A vertex of a ground of nodes, as the distance to the eye has it. src/passes/node_meshes.cpp fills textures and instances;
+// lengths in planet radii.
+#include "frame_block.glsl"
+
+// A row a node, a texel a vertex, row after row along x (src/planet/node_mesh.hpp).
+uniform sampler2D node_places;   // xyz: from the node's centre; w: height over its base
+uniform sampler2D node_coarser;  // what is added to them where the level above takes over
+uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: openness
+uniform sampler2D node_coarser_slopes;
+uniform vec4 node_morph;  // x, y: distances, edges of a node, from which to which one level passes to the next; z: square of the eye's lift; w: skirt, rad
+uniform int node_cells;   // along a side of a node
+
+layout(location = 0) in vec4 node_centre;  // xyz: from the eye; w: row of the textures
+layout(location = 1) in vec4 node_middle;  // xyz: unit; w: base, a height
+layout(location = 2) in vec4 node_along;   // xyz: middle less the eye's direction; w: edge, rad
+layout(location = 3) in vec4 node_sea;     // xyz: the middle at the sea's level, from the eye; w: the base's height over it
+layout(location = 4) in vec4 node_around;  // x: as DrawnNode's coarser; y, z: first layer of noise that the node's vertices don't hold whole, and its strength
+
+struct NodeVertex {
+  vec3 place;     // from the node's centre
+  vec3 flat_place;  // from the middle on the unit sphere
+  vec3 up;
+  float height;  // over the base
+  float part;    // of the level above, 0..1
+  vec3 skirt;    // what a skirt adds at this distance, before it is multiplied by it; 0 elsewhere
+};
+
+// On the rim, counted around from the corner where both are 0.
+ivec2 place_on_rim(int n) {
+  int side = n / node_cells, along = n % node_cells;
+  if (side == 0) return ivec2(along, 0);
+  if (side == 1) return ivec2(node_cells, along);
+  if (side == 2) return ivec2(node_cells - along, node_cells);
+  return ivec2(0, node_cells - along);
+}
+
+// Vertices beyond those of a node are its rim once more.
+bool hangs_from_rim() { return gl_VertexID >= (node_cells + 1) * (node_cells + 1); }
+
+ivec2 place_on_node() {
+  int row = node_cells + 1;
+  return hangs_from_rim() ? place_on_rim(gl_VertexID - row * row) : ivec2(gl_VertexID % row, gl_VertexID / row);
+}
+
+ivec2 node_texel(ivec2 place) { return ivec2(place.y * (node_cells + 1) + place.x, int(node_centre.w)); }
+
+// Whether the vertex belongs to a node of the level above as well.
+bool meets_coarser(ivec2 place, int around) {
+  bvec4 on = bvec4(place.x == 0, place.x == node_cells, place.y == 0, place.y == node_cells);
+  int touched = (on.x ? 1 : 0) | (on.y ? 2 : 0) | (on.z ? 4 : 0) | (on.w ? 8 : 0);
+  touched |= (on.x && on.z ? 16 : 0) | (on.y && on.z ? 32 : 0) | (on.x && on.w ? 64 : 0) | (on.y && on.w ? 128 : 0);
+  return (touched & around) != 0;
+}
+
+NodeVertex node_vertex() {
+  bool hangs = hangs_from_rim();
+  ivec2 place = place_on_node();
+  ivec2 texel = node_texel(place);
+  vec4 own = texelFetch(node_places, texel, 0);
+  NodeVertex v;
+  // Of its own height, which all nodes agree on that share it.
+  vec3 flat_own = (own.xyz - own.w * node_middle.xyz) / (1.0 + node_middle.w + own.w);
+  vec3 chord = flat_own + node_along.xyz;
+  float away = sqrt(node_morph.z + dot(chord, chord)) / node_along.w;
+  v.part = clamp((away - node_morph.x) / (node_morph.y - node_morph.x), 0.0, 1.0);
+  if (meets_coarser(place, int(node_around.x))) v.part = 1.0;
+  own += v.part * texelFetch(node_coarser, texel, 0);
+  v.place = own.xyz;
+  v.height = own.w;
+  v.flat_place = (own.xyz - own.w * node_middle.xyz) / (1.0 + node_middle.w + own.w);
+  v.up = normalize(node_middle.xyz + v.flat_place);
+  // Down and out, so that it closes the finest gap from wherever one looks.
+  v.skirt = hangs ? node_morph.w * (normalize(v.flat_place) - v.up) : vec3(0.0);
+  return v;
+}
+
+vec4 node_slope_at(float part) {
+  ivec2 texel = node_texel(place_on_node());
+  return texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
+}

@@ -1,0 +1,15 @@
+// What lies under the water by the nodes of the ground, which the water is drawn with.
+#include "water_surface.glsl"
+#include "node_surface.glsl"
+
+GroundAt ground_here;
+
+float depth_below(vec3 up) {
+  ground_here = node_ground(up, direction_from_anchor(surface_from_eye), pixel_footprint(up, surface_from_eye, 0.12));
+  return -ground_here.height;
+}
+
+// Nodes know nothing of their neighbours: right below is near enough.
+GroundAt ground_below(vec3 up) { return ground_here; }
+
+void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {}

@@ -1,0 +1,3 @@
+// A calm sea whose ripples are too small to be seen, over a ground of nodes.
+#include "smooth_water.glsl"
+#include "shore_nodes.glsl"

@@ -1,0 +1,51 @@
+// What the ways of drawing a ground have in common.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "passes/frame.hpp"
+#include "passes/sphere_meshes.hpp"
+
+namespace terrella {
+
+class NodeMeshes;
+
+class GroundPass {
+ public:
+  virtual ~GroundPass() = default;
+
+  // Work for a scene that can be done while programs compile.
+  virtual void begin(const Scene& scene, const Needs& needs) = 0;
+
+  // Starts to compile the programs that the needs call for.
+  virtual void want(const Needs& needs) = 0;
+  // True once drawing will not wait for them.
+  virtual bool ready() = 0;
+
+  // Brings what is drawn up to date, as far as the frame's effort allows. Needs the scene's uniform block.
+  virtual void update(const Frame& frame) = 0;
+
+  // Its map, where it has one that other passes read; level: of the mipmap that they read.
+  virtual void bind_map(double level) = 0;
+  // Distance of the texels of that map, rad; 0 where there is none.
+  [[nodiscard]] virtual double map_texel_angle() const = 0;
+
+  virtual void draw(const Frame& frame) = 0;
+
+  // Where the surface lies that is drawn, over each group of the icosphere; empty where that is not known.
+  [[nodiscard]] virtual std::span<const RadiusRange> ranges() const { return {}; }
+  // Nodes that the sea is to be drawn with as well, or nothing.
+  [[nodiscard]] virtual const NodeMeshes* nodes() const { return nullptr; }
+
+  // Whether it is drawn as the last update's needs ask.
+  [[nodiscard]] virtual bool settled() const = 0;
+  // Noise evaluated by the last update.
+  [[nodiscard]] virtual std::int64_t noise_evaluations() const = 0;
+};
+
+// technique: not none.
+std::unique_ptr<GroundPass> make_ground(Ground technique, SphereMeshes& spheres);
+
+}  // namespace terrella

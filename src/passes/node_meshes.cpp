@@ -1,0 +1,159 @@
+#include "passes/node_meshes.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "planet/octaves.hpp"
+#include "planet/spheres.hpp"
+
+namespace terrella {
+namespace {
+
+// Of which a picture draws one to six hundred; the rest is what it would draw from other places.
+constexpr int slots = 2048;
+constexpr int vec4s_a_node = 5;
+
+// For new nodes, in one frame of a picture that moves.
+constexpr double live_ms = 5.0, hurried_ms = 2.0;
+
+// Of a pixel: skirts are no wider than what floats and the corners of pixels may leave open.
+constexpr double skirt_pixels = 0.7;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double time_for(Effort effort) {
+  switch (effort) {
+    case Effort::complete: return std::numeric_limits<double>::infinity();
+    case Effort::live: return live_ms;
+    default: return hurried_ms;
+  }
+}
+
+// Under all of the ground and the water, and what they hide lies behind it.
+double occluder_of(const Frame& frame) { return frame.needs.water == Water::none ? 1.0 : water_radius(frame.scene); }
+
+glm::vec4 vector(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); }
+
+NodeRanges ranges_of(const Needs& needs) { return {needs.ground_split, needs.ground_deepest, needs.ground_cells}; }
+
+}  // namespace
+
+NodeMeshes::NodeMeshes() : cache_(slots) {}
+
+void NodeMeshes::start_anew(const Frame& frame) {
+  relief_ = relief_of(frame.scene);
+  terrain_ = exact_terrain_of(frame.scene);
+  cells_ = frame.needs.ground_cells;
+  cache_.clear();
+  for (std::size_t i = 0; i < textures_.size(); ++i) {
+    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
+    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(cells_), slots, format);
+  }
+  std::vector<std::uint16_t> indices;
+  for (unsigned coarser = 0; coarser < 16; ++coarser) {
+    const std::vector<std::uint16_t> list = node_triangles(cells_, coarser, true);
+    lists_.at(coarser) = {indices.size(), list.size()};
+    indices.insert(indices.end(), list.begin(), list.end());
+  }
+  meshes_ = std::make_unique<gl::Instances>(vec4s_a_node, indices);
+}
+
+void NodeMeshes::update(const Frame& frame) {
+  noise_evaluations_ = 0;
+  if (relief_ != relief_of(frame.scene) || cells_ != frame.needs.ground_cells) start_anew(frame);
+  for (const QuadNode& root : root_nodes()) {
+    if (cache_.find(root) < 0) make(frame.scene, root);
+  }
+  eye_ = eye_over(terrain_, frame.pose);
+  choose(frame);
+  const auto start = std::chrono::steady_clock::now();
+  const double time = time_for(frame.effort);
+  // A whole level of detail may be missing at each turn.
+  for (int turn = 0; turn <= 2 * deepest_level && !settled() && milliseconds_since(start) < time; ++turn) {
+    make_missing(frame, time - milliseconds_since(start));
+    choose(frame);
+  }
+  pack(frame);
+}
+
+void NodeMeshes::choose(const Frame& frame) {
+  cache_.begin_frame();
+  const NodeSight sight = node_sight(frame.pose, frame.view, {0, frame.view.height}, occluder_of(frame));
+  choose_nodes(sight, eye_, ranges_of(frame.needs), cache_, choice_);
+}
+
+void NodeMeshes::make_missing(const Frame& frame, double time) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const QuadNode& node : choice_.missing) {
+    if (milliseconds_since(start) >= time || !make(frame.scene, node)) return;
+  }
+}
+
+bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
+  is_full_ = !cache_.has_room();
+  if (is_full_) return false;
+  const NodeFrame made = make_node(node, cells_, terrain_, vertices_);
+  const int slot = *cache_.insert(node, made);
+  textures_[0]->set_row(slot, vertices_.place);
+  textures_[1]->set_row(slot, vertices_.coarser);
+  textures_[2]->set_row(slot, vertices_.slope);
+  textures_[3]->set_row(slot, vertices_.coarser_slope);
+  noise_evaluations_ +=
+      vertices_a_node(cells_) * std::int64_t{noise_per_height(scene, vertex_spacing(node.level, cells_))};
+  return true;
+}
+
+void NodeMeshes::pack(const Frame& frame) {
+  const auto& terrain = frame.scene.terrain;
+  const double sea = water_radius(frame.scene);
+  const bool above_sea = glm::length(frame.pose.eye) > sea;
+  instances_.clear();
+  const auto add = [&](const DrawnNode& drawn) {
+    const NodeCache::Entry& entry = cache_.at(drawn.slot);
+    const auto& [middle, base, half_width, heights] = entry.frame;
+    const double spacing = vertex_spacing(entry.node.level, cells_);
+    const int held = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * spacing);
+    instances_.push_back(vector((1.0 + base) * middle - frame.pose.eye, drawn.slot));
+    instances_.push_back(vector(middle, base));
+    instances_.push_back(vector(middle - eye_.direction, node_edge(entry.node.level)));
+    instances_.push_back(vector(sea * middle - frame.pose.eye, base - (sea - 1.0)));
+    instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), 0.0);
+  };
+  const bool water = frame.needs.water != Water::none;
+  const auto has = [&](Layer layer, const DrawnNode& drawn) {
+    const NodeFrame& node = cache_.at(drawn.slot).frame;
+    const double spacing = vertex_spacing(cache_.at(drawn.slot).node.level, cells_);
+    const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
+    if (layer == Layer::ground) return !water || !above_sea || 1.0 + node.heights.highest >= lowest_sea;
+    const double away = glm::distance(frame.pose.eye, node.middle) + node.half_width;
+    return water && 1.0 + node.heights.lowest <= sea + frame.needs.water_lift * away;
+  };
+  for (const Layer layer : {Layer::ground, Layer::sea}) {
+    for (unsigned list = 0; list < 16; ++list) {
+      Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
+      run.first = instances_.size() / vec4s_a_node;
+      for (const DrawnNode& drawn : choice_.drawn) {
+        if ((drawn.coarser & 15U) == list && has(layer, drawn)) add(drawn);
+      }
+      run.count = instances_.size() / vec4s_a_node - run.first;
+    }
+  }
+  meshes_->set(instances_);
+}
+
+void NodeMeshes::draw(const Frame& frame, const gl::Program& program, Layer layer) const {
+  for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
+  const NodeRanges ranges = ranges_of(frame.needs);
+  program.set("node_cells", cells_);
+  program.set("node_morph", static_cast<float>(ranges.morph_begin()), static_cast<float>(ranges.morph_end()),
+              static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
+  for (std::size_t list = 0; list < 16; ++list) {
+    const Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
+    meshes_->draw(lists_.at(list).first, lists_.at(list).count, run.first, run.count);
+  }
+}
+
+}  // namespace terrella

@@ -1,0 +1,68 @@
+// The nodes of a cube_grid on the GPU: made as they are needed, kept within a fixed budget of memory, and drawn as
+// ground or as sea.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gl/mesh.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "passes/frame.hpp"
+#include "planet/node_choice.hpp"
+#include "planet/relief.hpp"
+
+namespace terrella {
+
+class NodeMeshes {
+ public:
+  NodeMeshes();
+
+  // Chooses what is drawn, and makes what is missing: all of it where the frame is to be complete, else as much as a
+  // frame has time for.
+  void update(const Frame& frame);
+
+  // What is drawn of the chosen nodes.
+  enum class Layer { ground, sea };
+
+  // program: in use, its vertices by shaders/node_vertex.glsl.
+  void draw(const Frame& frame, const gl::Program& program, Layer layer) const;
+
+  // Whether nothing is missing that there is room for.
+  [[nodiscard]] bool settled() const { return choice_.missing.empty() || is_full_; }
+  [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
+
+ private:
+  // Forgets what was made for nodes of other cells or another relief.
+  void start_anew(const Frame& frame);
+  void choose(const Frame& frame);
+  // Makes those that are missing until they or the time (ms) come to an end.
+  void make_missing(const Frame& frame, double time);
+  // Returns whether there was room.
+  bool make(const Scene& scene, const QuadNode& node);
+  void pack(const Frame& frame);
+
+  // The nodes of one list of triangles among the instances.
+  struct Run {
+    std::size_t first = 0, count = 0;
+  };
+
+  NodeCache cache_;
+  NodeChoice choice_;
+  NodeEye eye_;
+  NodeVertices vertices_;
+  std::optional<Relief> relief_;
+  int cells_ = 0;
+  f64::Terrain terrain_{};
+  std::array<std::unique_ptr<gl::Image>, 4> textures_;
+  std::array<Run, 17> lists_;  // of the triangles, by the sides with coarser neighbours; and the end
+  std::unique_ptr<gl::Instances> meshes_;
+  std::array<std::array<Run, 16>, 2> runs_;  // of the layers
+  std::vector<glm::vec4> instances_;
+  bool is_full_ = false;
+  std::int64_t noise_evaluations_ = 0;
+};
+
+}  // namespace terrella

@@ -1,0 +1,64 @@
+#include "planet/height_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planet/noise_bounds.hpp"
+
+namespace terrella {
+namespace {
+
+// How far the mean of the layers may be from what samples say: by their slope, and by what was left out.
+double change_of_layers(const f64::Terrain& terrain, double footprint, double apart) {
+  const double steepest = (terrain.ridged ? 1.2 : 0.5) * noise_slope;  // of layer_value, per cell
+  double change = 0.0, amplitude = 1.0, total = 0.0, frequency = terrain.frequency;
+  for (int i = 0; i < terrain.octaves; ++i) {
+    const double left_out = 1.0 - f64::layer_weight(frequency, footprint);
+    change += amplitude * std::min(noise_range, steepest * frequency * apart + 0.75 * left_out);
+    total += amplitude;
+    amplitude *= terrain.persistence;
+    frequency *= terrain.lacunarity;
+  }
+  return total > 0.0 ? change / total : 0.0;
+}
+
+// The same of craters, radii: as far as one rises or digs, its bowl as steep as the deepest (Crater in
+// lib/craters.glsl).
+double change_by_craters(const f64::Craters& craters, double footprint, double apart) {
+  constexpr double deepest = 0.4 * 0.28, steepest = 1.6 * 0.4;
+  constexpr double overlapping = 3.0;
+  double change = 0.0, frequency = craters.frequency;
+  for (int i = 0; i < craters.sizes; ++i, frequency *= f64::crater_step) {
+    const double left_out = 1.0 - f64::crater_weight(frequency, footprint);
+    change += overlapping * craters.depth / frequency *
+              std::min(1.22 * deepest, steepest * frequency * apart + 1.22 * deepest * left_out);
+  }
+  return change;
+}
+
+}  // namespace
+
+bool may_freeze(const f64::Ice& ice, const glm::dvec3& direction, double distance) {
+  constexpr double ragged = 0.08;  // as far as floes reach beyond their latitude (ice_near in lib/ice.glsl)
+  return ice.sine <= 1.0 && ice.sea > 0.0 && std::abs(direction.z) + distance > ice.sine - ragged;
+}
+
+HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart,
+                           bool may_freeze) {
+  HeightRange range = computed;
+  if (terrain.octaves > 0 && terrain.height > 0.0 && terrain.power > 0.0) {
+    // In the sum of layers, before the power that makes plains flat: there changes are the same at any height.
+    double change = change_of_layers(terrain, footprint, apart);
+    if (terrain.craters.depth > 0.0) change += change_by_craters(terrain.craters, footprint, apart) / terrain.height;
+    const auto changed = [&](double height, double by) {
+      const double layers = std::pow(std::clamp(height / terrain.height, 0.0, 1.0), 1.0 / terrain.power);
+      return f64::height_power(layers + by, terrain.height, terrain.power);
+    };
+    range = {changed(computed.lowest, -change), changed(computed.highest, change)};
+  }
+  // Ice lies over what is lower: its own thickness is all that it can change from place to place.
+  if (may_freeze) range.highest = std::max({range.highest, computed.highest, terrain.ice.sea + f64::ice_thickness});
+  return range;
+}
+
+}  // namespace terrella

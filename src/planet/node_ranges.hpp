@@ -1,0 +1,41 @@
+// How finely a ground of nodes is drawn where: by distance alone, so that neighbours agree without asking each other,
+// and each level takes on the shape of the coarser one before it gives way to it (Strugar 2009, "Continuous
+// distance-dependent level of detail for rendering heightmaps"). Lengths in planet radii.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "formulas/formulas.hpp"
+#include "planet/cube_grid.hpp"
+#include "planet/pose.hpp"
+
+namespace terrella {
+
+// An eye over a ground of nodes. Its distance to a place of the ground is told from the place's direction, whatever the
+// ground's height there: sqrt(lift^2 + chord^2), the chord from the direction of the eye. With the lift of a smooth
+// sphere that is in proportion to the true distance; with the ground nearest to the eye it is nowhere much greater.
+struct NodeEye {
+  glm::dvec3 direction{0.0};  // unit
+  double lift = 0.0;
+  double stretch = 1.0;  // true distance of what lies below, as a multiple of the lift
+};
+
+// From heights around the place below the eye.
+NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose);
+
+// All widths as multiples of the edge of a node (node_edge).
+struct NodeRanges {
+  double split = 2.5;  // nearer than this a node is split in four
+  int deepest = deepest_level;
+  int cells = most_cells;  // along a side of a node
+
+  // From where to where a vertex passes from its own shape to that of the level above. Where it begins, no finer node
+  // is left: those reach a node's diagonal further than they are wanted. Where it ends, the level above is fine enough.
+  [[nodiscard]] double morph_begin() const { return split + 1.4143; }
+  [[nodiscard]] double morph_end() const { return 2.0 * split; }
+};
+
+// A split below this would leave no room to pass from shape to shape.
+inline constexpr double least_split = 1.75;
+
+}  // namespace terrella
