@@ -15,11 +15,15 @@ GroundAt ground_at(vec4 map, vec3 up) {
   return ground;
 }
 
+// How high a unit of the mean of all layers stands, as the map tells it.
+float map_rise(GroundAt ground) {
+  return height_power_slope_at(ground.height + sea.x - 1.0, terrain_height, terrain_power);
+}
+
 // The mean of the normals of what is seen of the ground, whose gradient the map or the pixels know but for the layers that
-// neither shows. Those that no mesh carries are painted on it: of them as much is seen from behind as from before, so they
+// neither shows: they act as strongly as rise says. Those that no mesh carries are painted on it: of them as much is seen from behind as from before, so they
 // are turned as far towards the eye as those that are seen would be. up, to_eye: unit; radius: of the place.
-vec3 mean_normal(vec3 up, float radius, GroundAt ground, vec3 to_eye) {
-  float rise = height_power_slope_at(ground.height + sea.x - 1.0, terrain_height, terrain_power);
+vec3 mean_normal(vec3 up, float radius, GroundAt ground, float rise, vec3 to_eye) {
   vec3 gradient = ground.gradient + mean_seen_slope(slopes.y * rise * rise, up, to_eye);
   return mean_normal_length(slopes.x * rise * rise) * slope_normal(up, radius, gradient);
 }

@@ -6,12 +6,12 @@ in vec3 surface_from_eye;
 
 vec3 surface_position() { return eye_position() + surface_from_eye; }
 
-// ground: at the place, its gradient as fine as the pixels; grain: of its colour, about -1..1.
-void emit_ground(GroundAt ground, float grain) {
+// ground: at the place, its gradient as fine as the pixels; rise: as mean_normal takes it; grain: of its colour, about -1..1.
+void emit_ground(GroundAt ground, float rise, float grain) {
   vec3 place = surface_position();
   float radius = length(place);
   vec3 up = place / radius;
-  vec3 normal = mean_normal(up, radius, ground, -normalize(surface_from_eye));
+  vec3 normal = mean_normal(up, radius, ground, rise, -normalize(surface_from_eye));
   vec3 albedo = grained(ground_albedo(up, ground, normal, scene_bands()), grain);
   // Just under water the light has come through some of it; further down the water hides the ground.
   albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * ground.height);

@@ -1,8 +1,9 @@
 // What pixels know of a ground of nodes: its slopes from the vertices, and the layers that those can't hold from themselves.
-#include "fine_layers.glsl"
+#include "ground_map.glsl"
+#include "anchored_layers.glsl"
 
 in vec4 node_slope;
-in float node_height;
+in vec3 node_height;
 in vec2 node_held;
 flat in vec2 node_layers;
 
@@ -11,14 +12,36 @@ float held_of_layer(float frequency) {
   return mix(layer_weight(frequency, node_held.x), layer_weight(frequency, 2.0 * node_held.x), node_held.y);
 }
 
+// How strongly layers act, for unseen_slopes: those of ranges are steeper, as layer_slope_square says.
+float layer_rise(GroundAt ground) {
+  float rise = node_height.y, ridges = 2.0 * node_height.z;
+  return sqrt(rise * rise + ridges * ridges) * amplitude_sum(terrain_persistence, terrain_octaves);
+}
+
 // The ground at the pixel as fine as it can show it. up: unit; footprint: rad.
 GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
   GroundAt ground;
-  ground.gradient = node_slope.xyz - dot(node_slope.xyz, up) * up;
   ground.openness = node_slope.w;
-  ground.height = node_height;
-  FineLayers fine = fine_layers(from_anchor, footprint, int(node_layers.x), node_layers.y);
-  GroundAt seen = refined(ground, fine, up);
-  seen.height += fine.value * height_power_slope_at(ground.height + sea.x - 1.0, terrain_height, terrain_power);
-  return seen;
+  ground.height = node_height.x;
+  vec3 gradient = node_slope.xyz;
+  float rise = node_height.y * node_layers.y, ridges = node_height.z * node_layers.y;
+  bool is_ridged = terrain_ridged != 0;
+  for (int i = int(node_layers.x); i < int(ground_map_scale.z); ++i) {
+    float frequency = layer_place[i].w;
+    float weight = layer_weight(frequency, footprint);
+    if (weight <= 0.0) break;  // and so is that of all finer layers
+    Noise n = layer_noise(i, from_anchor);
+    float shown = max(weight - held_of_layer(frequency), 0.0);
+    float crest = i < terrain_range_layer ? 0.0 : ridges;
+    float slope = rise * layer_slope(n.value, is_ridged, terrain_ridge_sharpness) +
+                  crest * layer_slope(n.value, true, terrain_ridge_sharpness);
+    float value = rise * (layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged)) +
+                  crest * (layer_value(n.value, true, terrain_ridge_sharpness) - layer_mean(true));
+    ground.height += shown * value;
+    gradient += (shown * frequency * slope) * n.gradient;
+    rise *= terrain_persistence;
+    ridges *= terrain_persistence;
+  }
+  ground.gradient = gradient - dot(gradient, up) * up;
+  return ground;
 }

@@ -7,6 +7,7 @@ uniform sampler2D node_places;   // xyz: from the node's centre; w: height over 
 uniform sampler2D node_coarser;  // what is added to them where the level above takes over
 uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: openness
 uniform sampler2D node_coarser_slopes;
+uniform sampler2D node_rises;  // xy: rise and ridges of Height; zw: what is added to them
 uniform vec4 node_morph;  // x, y: distances, edges of a node, from which to which one level passes to the next; z: square of the eye's lift; w: skirt, rad
 uniform int node_cells;   // along a side of a node
 
@@ -77,4 +78,9 @@ NodeVertex node_vertex() {
 vec4 node_slope_at(float part) {
   ivec2 texel = node_texel(place_on_node());
   return texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
+}
+
+vec2 node_rise_at(float part) {
+  vec4 rise = texelFetch(node_rises, node_texel(place_on_node()), 0);
+  return rise.xy + part * rise.zw;
 }

@@ -3,4 +3,6 @@
 
 float depth_below(vec3 up) { return -textureLod(ground_map, up, levels.z).w; }
 
+float layer_rise(GroundAt ground) { return map_rise(ground); }
+
 GroundAt ground_below(vec3 up) { return ground_at(textureLod(ground_map, up, levels.z), up); }

@@ -18,6 +18,8 @@ Terrain scene_terrain() {
   t.ridged = terrain_ridged != 0;
   t.sharpness = terrain_ridge_sharpness;
   t.seed = uint(planet_seed);
+  t.ranges.part = terrain_ranges;
+  t.ranges.first = terrain_range_layer;
   t.craters.depth = terrain_craters;
   t.craters.frequency = terrain_crater_frequency;
   t.craters.sizes = terrain_crater_sizes;

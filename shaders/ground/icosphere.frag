@@ -3,5 +3,6 @@
 
 void main() {
   vec3 up = normalize(surface_position());
-  emit_ground(ground_at(textureLod(ground_map, up, levels.z), up), 0.0);
+  GroundAt ground = ground_at(textureLod(ground_map, up, levels.z), up);
+  emit_ground(ground, map_rise(ground), 0.0);
 }

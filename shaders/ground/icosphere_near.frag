@@ -1,6 +1,6 @@
 // The icosphere's ground so near that pixels are finer than its map.
 #include "ground_surface.glsl"
-#include "map_layers.glsl"
+#include "fine_layers.glsl"
 
 void main() {
   vec3 up = normalize(surface_position());
@@ -9,6 +9,7 @@ void main() {
   vec3 right = dFdx(from_anchor), above = dFdy(from_anchor);
   float level = pixel_footprint(up, surface_from_eye, 0.12);
   float facing = fineness.x * sqrt(max(dot(right, right), dot(above, above)));
-  FineLayers fine = layers_beside_map(from_anchor, min(level, facing));
-  emit_ground(refined(ground_at(textureLod(ground_map, up, levels.z), up), fine, up), fine.grain);
+  FineLayers fine = fine_layers(from_anchor, min(level, facing));
+  GroundAt ground = ground_at(textureLod(ground_map, up, levels.z), up);
+  emit_ground(refined(ground, fine, up), map_rise(ground), fine.grain);
 }

@@ -5,5 +5,6 @@
 void main() {
   vec3 up = normalize(surface_position());
   vec3 from_anchor = direction_from_anchor(surface_from_eye);
-  emit_ground(node_ground(up, from_anchor, pixel_footprint(up, surface_from_eye, 0.12)), 0.0);
+  GroundAt ground = node_ground(up, from_anchor, pixel_footprint(up, surface_from_eye, 0.12));
+  emit_ground(ground, layer_rise(ground), 0.0);
 }

@@ -3,16 +3,24 @@
 #include "lib/ice.glsl"
 #include "lib/noise.glsl"
 
+// Mountain ranges on high ground: where the mean of all layers is high, the cube of the mean of ridges of the same noise
+// rises from it. So valleys are wide and smooth, and crests narrow and rough, as erosion leaves them.
+struct Ranges {
+  float part;  // of the height that they may take, 0..1; 0: there are none
+  int first;   // layer whose ridges are the broadest
+};
+
 struct Terrain {
   float height;       // H, planet radii
   float frequency;    // of the coarsest layer, cells per radius
-  int octaves;        // 0..24
+  int octaves;        // 0..32
   float persistence;  // 0..1.5
   float lacunarity;   // 1..4
   float power;        // p, 0..16
   bool ridged;
   float sharpness;  // k of the smooth absolute value, 0..1000
   uint seed;
+  Ranges ranges;
   Craters craters;  // dug into the sum of layers
   Ice ice;          // lies over what is lower
 };
@@ -22,6 +30,8 @@ struct Height {
   float value;
   vec3 gradient;
   float openness;  // 0..1: below a half in hollows, above it on crests
+  float rise;      // what a layer of unit amplitude adds to value for each unit of layer_value, radii
+  float ridges;    // the same of a layer that is one of the ridges of ranges
 };
 
 // x tanh(k x): |x| without its edge (5). k >= 0; total, where the printed form overflows for k|x| > 88.
@@ -87,21 +97,69 @@ float openness_of(float relief) {
   return 0.5 + 0.5 * x / sqrt(1.0 + x * x);
 }
 
+// How much of the ranges stands where the mean of all layers is h: none on low ground, all on high.
+float range_cover(float h) { return smoothstep(0.5, 0.75, h); }
+
+// The derivative of range_cover by h.
+float range_cover_slope(float h) {
+  float t = clamp(4.0 * (h - 0.5), 0.0, 1.0);
+  return 24.0 * t * (1.0 - t);
+}
+
+// The ridges of the ranges so far.
+struct RidgeSum {
+  float total;    // of the amplitudes
+  float sum;
+  vec3 gradient;  // of the sum
+};
+
+RidgeSum no_ridges() {
+  RidgeSum r;
+  r.total = 0.0;
+  r.sum = 0.0;
+  r.gradient = vec3(0.0);
+  return r;
+}
+
+// n: the noise of a layer; shown: part of it that is not left at its mean.
+void add_ridges(inout RidgeSum r, Noise n, float amplitude, float frequency, float sharpness, float shown) {
+  float value = mix(layer_mean(true), layer_value(n.value, true, sharpness), shown);
+  r.sum += amplitude * value;
+  r.gradient += amplitude * shown * frequency * layer_slope(n.value, true, sharpness) * n.gradient;
+  r.total += amplitude;
+}
+
+// Raises the ranges on the ground. layers: all, of the mean h; gradient: of their sum; height: radii.
+void raise_ranges(inout Height ground, RidgeSum r, OctaveSum layers, float h, vec3 gradient, float height) {
+  if (r.total <= 0.0) return;
+  float mean = max(r.sum / r.total, 0.0);
+  float square = mean * mean;
+  float cover_rise = height * range_cover_slope(h) * square * mean / layers.total;
+  ground.ridges = 3.0 * height * range_cover(h) * square / r.total;
+  ground.value += height * range_cover(h) * square * mean;
+  ground.gradient += ground.ridges * r.gradient + cover_rise * gradient;
+  ground.rise += cover_rise;
+}
+
 // The ground at a direction (unit), without what samples a footprint (rad) apart can't show.
 Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
   OctaveSum sum = no_octaves();
   float frequency = t.frequency;
   float relief = 0.0;
   vec3 gradient = vec3(0.0);
+  RidgeSum ridges = no_ridges();
+  bool has_ranges = t.ranges.part > 0.0;
   for (int i = 0; i < t.octaves; ++i) {
     float shown = layer_weight(frequency, footprint);
     float mean = layer_mean(t.ridged);
     float value = mean;
+    Noise n = no_noise();
     if (shown > 0.0) {
-      Noise n = simplex_noise(ivec3(0), direction * frequency + layer_offset(i, t.seed), layer_seed(i, t.seed));
+      n = simplex_noise(ivec3(0), direction * frequency + layer_offset(i, t.seed), layer_seed(i, t.seed));
       value = mix(mean, layer_value(n.value, t.ridged, t.sharpness), shown);
       gradient += sum.amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
     }
+    if (has_ranges && i >= t.ranges.first) add_ridges(ridges, n, sum.amplitude, frequency, t.sharpness, shown);
     if (i > 0) relief += sum.amplitude * frequency * (value - mean);
     add_octave(sum, value, t.persistence);
     frequency *= t.lacunarity;
@@ -116,16 +174,21 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
     relief += sum.total / t.height * dug * t.craters.frequency;
   }
   Height ground;
-  ground.value = t.octaves > 0 ? height_power(h, t.height, t.power) : 0.0;
-  float steepened = sum.total > 0.0 ? height_power_slope(h, t.height, t.power) / sum.total : 0.0;
-  ground.gradient = gradient * steepened;
-  ground.openness = openness_of(relief * steepened);
+  float height = (1.0 - t.ranges.part) * t.height;
+  ground.value = t.octaves > 0 ? height_power(h, height, t.power) : 0.0;
+  ground.rise = sum.total > 0.0 ? height_power_slope(h, height, t.power) / sum.total : 0.0;
+  ground.ridges = 0.0;
+  ground.gradient = gradient * ground.rise;
+  if (has_ranges) raise_ranges(ground, ridges, sum, h, gradient, t.ranges.part * t.height);
+  ground.openness = openness_of(relief * (ground.rise + ground.ridges));
   if (ice_near(direction, t.ice)) {
     float ice = ice_height(ice_cover(direction, t.ice, footprint), t.ice);
     if (ice > ground.value) {
       ground.value = ice;
       ground.gradient = vec3(0.0);
       ground.openness = 0.6;
+      ground.rise = 0.0;
+      ground.ridges = 0.0;
     }
   }
   return ground;

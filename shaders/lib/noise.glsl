@@ -11,6 +11,13 @@ struct Noise {
   vec3 gradient;  // of value by position, per cell
 };
 
+Noise no_noise() {
+  Noise n;
+  n.value = 0.0;
+  n.gradient = vec3(0.0);
+  return n;
+}
+
 // The lattice's axes as they enter the hash; a neighbour's key is its cell's plus these.
 const uvec3 cell_step = uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
 

@@ -101,6 +101,7 @@ bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
   textures_[1]->set_row(slot, vertices_.coarser);
   textures_[2]->set_row(slot, vertices_.slope);
   textures_[3]->set_row(slot, vertices_.coarser_slope);
+  textures_[4]->set_row(slot, vertices_.rise);
   noise_evaluations_ +=
       vertices_a_node(cells_) * std::int64_t{noise_per_height(scene, vertex_spacing(node.level, cells_))};
   return true;
@@ -129,7 +130,8 @@ void NodeMeshes::pack(const Frame& frame) {
     const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
     if (layer == Layer::ground) return !water || !above_sea || 1.0 + node.heights.highest >= lowest_sea;
     const double away = glm::distance(frame.pose.eye, node.middle) + node.half_width;
-    return water && 1.0 + node.heights.lowest <= sea + frame.needs.water_lift * away;
+    return water &&
+           1.0 + node.heights.lowest <= sea + std::min(frame.needs.water_lift * away, frame.needs.water_most_lift);
   };
   for (const Layer layer : {Layer::ground, Layer::sea}) {
     for (unsigned list = 0; list < 16; ++list) {

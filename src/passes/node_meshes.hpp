@@ -56,7 +56,7 @@ class NodeMeshes {
   std::optional<Relief> relief_;
   int cells_ = 0;
   f64::Terrain terrain_{};
-  std::array<std::unique_ptr<gl::Image>, 4> textures_;
+  std::array<std::unique_ptr<gl::Image>, 5> textures_;
   std::array<Run, 17> lists_;  // of the triangles, by the sides with coarser neighbours; and the end
   std::unique_ptr<gl::Instances> meshes_;
   std::array<std::array<Run, 16>, 2> runs_;  // of the layers

@@ -36,6 +36,33 @@ double change_by_craters(const f64::Craters& craters, double footprint, double a
   return change;
 }
 
+// The same of the mean of the ridges of ranges.
+double change_of_ridges(const f64::Terrain& terrain, double footprint, double apart) {
+  double change = 0.0, amplitude = 1.0, total = 0.0, frequency = terrain.frequency;
+  for (int i = 0; i < terrain.octaves; ++i, frequency *= terrain.lacunarity) {
+    if (i < terrain.ranges.first) continue;
+    const double left_out = 1.0 - f64::layer_weight(frequency, footprint);
+    change += amplitude * std::min(noise_range, 1.2 * noise_slope * frequency * apart + 0.75 * left_out);
+    total += amplitude;
+    amplitude *= terrain.persistence;
+  }
+  return total > 0.0 ? change / total : 0.0;
+}
+
+// Where ranges stand, heights do not tell the layers: by the steepest that each part can be.
+HeightRange change_with_ranges(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart,
+                               double change_of_layers) {
+  constexpr double steepest_cover = 6.0, steepest_cube = 3.0;
+  const double ridges = change_of_ridges(terrain, footprint, apart);
+  // A power below 1 is steepest at 0, and there nowhere above 1.
+  const double smooth = std::min(std::max(terrain.power, 1.0) * change_of_layers, 1.0);
+  const double ranges = std::min(steepest_cover * change_of_layers + steepest_cube * ridges, 1.0);
+  const double power_below_one = terrain.power < 1.0 ? std::pow(change_of_layers, terrain.power) : smooth;
+  const double change =
+      terrain.height * ((1.0 - terrain.ranges.part) * std::max(smooth, power_below_one) + terrain.ranges.part * ranges);
+  return {std::max(computed.lowest - change, 0.0), std::min(computed.highest + change, terrain.height)};
+}
+
 }  // namespace
 
 bool may_freeze(const f64::Ice& ice, const glm::dvec3& direction, double distance) {
@@ -54,7 +81,9 @@ HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& compu
       const double layers = std::pow(std::clamp(height / terrain.height, 0.0, 1.0), 1.0 / terrain.power);
       return f64::height_power(layers + by, terrain.height, terrain.power);
     };
-    range = {changed(computed.lowest, -change), changed(computed.highest, change)};
+    range = terrain.ranges.part > 0.0
+                ? change_with_ranges(terrain, computed, footprint, apart, change)
+                : HeightRange{changed(computed.lowest, -change), changed(computed.highest, change)};
   }
   // Ice lies over what is lower: its own thickness is all that it can change from place to place.
   if (may_freeze) range.highest = std::max({range.highest, computed.highest, terrain.ice.sea + f64::ice_thickness});

@@ -29,6 +29,9 @@ enum : int { model_none = 0, water_calm = 2, water_waves = 3, ground_icosphere =
 // A planet that is large for who stands on it, and whose mountains are low beside it.
 constexpr double real_radius = 10e3, real_relief = 0.02;  // m; planet radii
 
+// As much of what lies between two surfaces as a mesh may miss either by.
+constexpr double of_gap = 0.3;
+
 std::string number(double value) { return printed_number(value, 4); }
 
 class Decisions {
@@ -206,6 +209,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   // as an error.
   if (needs.ground == Ground::quadtree) {
     needs.water_lift = std::min(scene.quality.pixel_error * pose.pixel_angle, 0.05);
+    needs.water_most_lift = has_clouds(scene) ? of_gap * std::max(cloud_radius(scene) - water_radius(scene), 0.0) : 1.0;
   } else {
     needs.water_lift =
         std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.clearance});
@@ -243,7 +247,9 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   needs.clouds = Clouds::shell;
   decide.add("clouds", name_of(needs.clouds), "the only model of clouds in this version");
   const double pixel = pose.pixel_angle * std::abs(glm::length(pose.eye) - cloud_radius(scene));
-  needs.cloud_level = sphere_level(scene.quality.pixel_error * pixel);
+  // Nor may they dip into the sea, however small that is from afar.
+  const double gap = std::abs(cloud_radius(scene) - (has_water(scene) ? water_radius(scene) : 1.0));
+  needs.cloud_level = sphere_level(std::min(scene.quality.pixel_error * pixel, of_gap * gap));
   decide.add("clouds.level", needs.cloud_level,
              "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   needs.cloud_texels = scene.quality.cloud_texels;

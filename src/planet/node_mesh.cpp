@@ -13,16 +13,20 @@ struct Vertex {
   glm::dvec3 place;  // from the middle of the node on the unit sphere
   double height;
   glm::dvec4 slope;
+  glm::dvec2 rise;
 };
 
 Vertex vertex_at(const glm::dvec3& direction, const glm::dvec3& middle, const f64::Terrain& terrain, double spacing) {
   const f64::Height ground = f64::terrain_height_at(direction, terrain, spacing);
   const glm::dvec3 along = ground.gradient - glm::dot(ground.gradient, direction) * direction;
-  return {direction - middle + ground.value * direction, ground.value, glm::dvec4(along, ground.openness)};
+  return {direction - middle + ground.value * direction,
+          ground.value,
+          glm::dvec4(along, ground.openness),
+          {ground.rise, ground.ridges}};
 }
 
 Vertex between(const Vertex& a, const Vertex& b) {
-  return {0.5 * (a.place + b.place), 0.5 * (a.height + b.height), 0.5 * (a.slope + b.slope)};
+  return {0.5 * (a.place + b.place), 0.5 * (a.height + b.height), 0.5 * (a.slope + b.slope), 0.5 * (a.rise + b.rise)};
 }
 
 int number_of(int i, int j, int cells) { return j * (cells + 1) + i; }
@@ -112,13 +116,15 @@ NodeFrame make_node(const QuadNode& node, int cells, const f64::Terrain& terrain
   frame.heights = heights_around(terrain, computed, spacing, 0.7072 * spacing,
                                  may_freeze(terrain.ice, frame.middle, frame.half_width));
   const glm::dvec3 lift = frame.base * frame.middle;
-  for (auto* list : {&vertices.place, &vertices.coarser, &vertices.slope, &vertices.coarser_slope}) list->clear();
+  for (auto* list : {&vertices.place, &vertices.coarser, &vertices.slope, &vertices.coarser_slope, &vertices.rise})
+    list->clear();
   for (std::size_t n = 0; n < levels.own.size(); ++n) {
     const Vertex &own = levels.own[n], &above = levels.above[n];
     vertices.place.emplace_back(glm::dvec4(own.place - lift, own.height - frame.base));
     vertices.coarser.emplace_back(glm::dvec4(above.place - own.place, above.height - own.height));
     vertices.slope.emplace_back(own.slope);
     vertices.coarser_slope.emplace_back(above.slope - own.slope);
+    vertices.rise.emplace_back(glm::dvec4(own.rise, above.rise - own.rise));
   }
   return frame;
 }

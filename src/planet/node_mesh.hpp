@@ -23,6 +23,7 @@ struct NodeVertices {
   std::vector<glm::vec4> coarser;  // what is to be added to them
   std::vector<glm::vec4> slope;    // xyz: gradient of the height, along the sphere; w: openness
   std::vector<glm::vec4> coarser_slope;
+  std::vector<glm::vec4> rise;  // xy: rise and ridges of Height; zw: what is to be added to them
 };
 
 // A node's place in the world.

@@ -26,6 +26,8 @@ Terrain made_terrain(const Scene& scene) {
   terrain.power = static_cast<Real>(from.power);
   terrain.ridged = from.ridged;
   terrain.sharpness = static_cast<Real>(from.ridge_sharpness);
+  terrain.ranges.part = static_cast<Real>(from.ranges);
+  terrain.ranges.first = from.range_layer;
   terrain.seed = seed;
   terrain.craters.depth = static_cast<Real>(from.craters);
   terrain.craters.frequency = static_cast<Real>(from.crater_frequency);
@@ -85,21 +87,28 @@ double unseen_slopes(const Scene& scene, double footprint) {
 }
 
 double unseen_heights(const Scene& scene, double footprint, double finer) {
-  // Of noise, and of its distance from 0 (tests/laws/noise_test.cpp and heights_test.cpp).
+  // Deviations of noise and of its distance from 0 (tests/laws/noise_test.cpp and heights_test.cpp).
+  constexpr double smooth_layer = 0.5 * 0.38, ridged_layer = 0.23;
   const auto& terrain = scene.terrain;
-  const double layer_deviation = terrain.ridged ? 0.23 : 0.5 * 0.38;
-  double variance = 0.0, amplitude = 1.0, frequency = terrain.frequency;
+  const double layer = terrain.ridged ? ridged_layer : smooth_layer;
+  double lost = 0.0, lost_ridges = 0.0, amplitude = 1.0, ridges = 1.0, all_ridges = 0.0, frequency = terrain.frequency;
   for (int i = 0; i < terrain.octaves; ++i) {
-    const double lost = f64::layer_weight(frequency, finer) - f64::layer_weight(frequency, footprint);
-    variance += std::pow(lost * amplitude * layer_deviation, 2.0);
+    const double unseen = f64::layer_weight(frequency, finer) - f64::layer_weight(frequency, footprint);
+    lost += std::pow(unseen * amplitude * layer, 2.0);
     amplitude *= terrain.persistence;
     frequency *= terrain.lacunarity;
+    if (i < terrain.range_layer) continue;
+    lost_ridges += std::pow(unseen * ridges * ridged_layer, 2.0);
+    all_ridges += ridges;
+    ridges *= terrain.persistence;
   }
   const double total = f64::amplitude_sum(terrain.persistence, terrain.octaves);
   if (total <= 0.0) return 0.0;
   constexpr double steep = 0.7;
-  return std::sqrt(variance) / total *
-         f64::height_power_slope(steep, terrain.height / scene.planet.radius, terrain.power);
+  const double height = terrain.height / scene.planet.radius;
+  const double rise = (1.0 - terrain.ranges) * f64::height_power_slope(steep, height, terrain.power) / total;
+  const double of_ranges = all_ridges > 0.0 ? 3.0 * steep * steep * terrain.ranges * height / all_ridges : 0.0;
+  return std::hypot(rise * std::sqrt(lost), of_ranges * std::sqrt(lost_ridges));
 }
 
 bool has_ground(const Scene& scene) { return scene.terrain.model != 0; }

@@ -13,10 +13,27 @@ namespace {
 // Finer layers (cells per radian) doubles and integers of 32 bits place no more.
 constexpr double finest = 1e8;
 
-Range range_of_layers(const f64::Terrain& terrain) {
-  if (terrain.ridged) return {1.0 - noise_range, 1.0};
+Range range_of_layers(bool ridged) {
+  if (ridged) return {1.0 - noise_range, 1.0};
   return {0.5 - 0.5 * noise_range, 0.5 + 0.5 * noise_range};
 }
+
+// A sum of layers of which some are known and the amplitudes of all others together.
+struct PartialSum {
+  Range known = {0.0, 0.0};
+  double amplitude = 1.0, unknown = 0.0;
+
+  void add(const Range& layer, double persistence) {
+    known = {known.least + amplitude * layer.least, known.most + amplitude * layer.most};
+    unknown -= amplitude;
+    amplitude *= persistence;
+  }
+
+  // Over total; layers: any of those unknown.
+  [[nodiscard]] Range mean(const Range& layers, double total) const {
+    return {(known.least + unknown * layers.least) / total, (known.most + unknown * layers.most) / total};
+  }
+};
 
 // As much as the craters of one size rise and dig, in cells, where those of all eight cells around a place meet: each
 // is at most 0.4 of a radius of at most 0.28 deep, its rim 0.22 depths high (tests/laws/bounds_test.cpp).
@@ -26,9 +43,9 @@ constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls;
 
 Ground::Ground(const Scene& scene, double footprint)
     : terrain_(exact_terrain_of(scene)), footprint_(std::max(footprint, 0.25 / finest)) {
-  total_ = 0.0;
-  double amplitude = 1.0;
-  for (int i = 0; i < terrain_.octaves; ++i, amplitude *= terrain_.persistence) total_ += amplitude;
+  total_ = f64::amplitude_sum(terrain_.persistence, terrain_.octaves);
+  if (terrain_.ranges.part > 0.0 && (terrain_.persistence > 0.0 || terrain_.ranges.first == 0))
+    total_ridges_ = f64::amplitude_sum(terrain_.persistence, std::max(terrain_.octaves - terrain_.ranges.first, 0));
   highest_ = 1.0 + (terrain_.octaves > 0 ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
     highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + f64::ice_thickness);
@@ -41,24 +58,29 @@ f64::Height Ground::height_at(const glm::dvec3& direction) const {
   return f64::terrain_height_at(direction, terrain_, footprint_);
 }
 
-double Ground::left_in(double value, double frequency) const {
-  return glm::mix(f64::layer_mean(terrain_.ridged), value, f64::layer_weight(frequency, footprint_));
+double Ground::left_in(double value, double frequency, bool ridged) const {
+  return glm::mix(f64::layer_mean(ridged), value, f64::layer_weight(frequency, footprint_));
 }
 
-Range Ground::layer_around(const glm::dvec3& direction, double chord, double frequency, int octave) const {
+Range Ground::noise_around(const glm::dvec3& direction, double chord, double frequency, int octave) const {
   const glm::dvec3 place = direction * frequency + f64::layer_offset(octave, terrain_.seed);
   const f64::Noise noise = f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(octave, terrain_.seed));
   const double cells = frequency * chord;
   const double rise = std::min(noise_slope, glm::length(noise.gradient) + 0.5 * noise_curvature * cells) * cells;
-  const auto value = [&](double n) { return f64::layer_value(n, terrain_.ridged, terrain_.sharpness); };
-  Range layer;
-  if (terrain_.ridged) {
-    layer = {value(std::abs(noise.value) + rise), value(std::max(std::abs(noise.value) - rise, 0.0))};
-  } else {
-    layer = {value(noise.value - rise), value(noise.value + rise)};
+  return {noise.value - rise, noise.value + rise};
+}
+
+Range Ground::layer_of(const Range& noise, double frequency, bool ridged) const {
+  const auto value = [&](double n) { return f64::layer_value(n, ridged, terrain_.sharpness); };
+  Range layer = {value(noise.least), value(noise.most)};
+  if (ridged) {
+    // From the middle of the range, as far as it goes to each side.
+    const double middle = std::abs(0.5 * (noise.least + noise.most)), rise = 0.5 * (noise.most - noise.least);
+    layer = {value(middle + rise), value(std::max(middle - rise, 0.0))};
   }
-  const Range whole = range_of_layers(terrain_);
-  return {left_in(std::max(layer.least, whole.least), frequency), left_in(std::min(layer.most, whole.most), frequency)};
+  const Range whole = range_of_layers(ridged);
+  return {left_in(std::max(layer.least, whole.least), frequency, ridged),
+          left_in(std::min(layer.most, whole.most), frequency, ridged)};
 }
 
 Range Ground::craters_around(const glm::dvec3& direction, double chord, double frequency, int size) const {
@@ -90,30 +112,50 @@ bool Ground::ice_around(const glm::dvec3& direction, double chord) const {
   return terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0 && std::abs(direction.z) + chord > terrain_.ice.sine - 0.08;
 }
 
+Range Ground::heights_of(const Range& means) const {
+  const auto height = [&](double mean) {
+    return f64::height_power(mean, (1.0 - terrain_.ranges.part) * terrain_.height, terrain_.power);
+  };
+  return {height(means.least), height(means.most)};
+}
+
+Range Ground::ranges_over(const Range& means, const Range& ridges) const {
+  const auto height = [&](double mean, double ridge) {
+    return terrain_.ranges.part * terrain_.height * f64::range_cover(mean) * std::pow(std::max(ridge, 0.0), 3.0);
+  };
+  return {height(means.least, ridges.least), height(means.most, ridges.most)};
+}
+
 Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
   const double ice = ice_around(direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
   if (terrain_.octaves == 0 || terrain_.height <= 0.0) return {0.0, ice};
-  if (terrain_.power == 0.0) return {terrain_.height, std::max(terrain_.height, ice)};
+  if (terrain_.power == 0.0 && total_ridges_ == 0.0) return {terrain_.height, std::max(terrain_.height, ice)};
   const f64::Craters& craters = terrain_.craters;
-  const Range layer_range = range_of_layers(terrain_);
-  Range layers = {0.0, 0.0}, dug = {0.0, 0.0}, heights;
-  double unknown = total_, undug = crater_cells_, amplitude = 1.0;
-  double frequency = terrain_.frequency, crater_frequency = craters.frequency;
+  PartialSum layers, ridges;
+  layers.unknown = total_;
+  ridges.unknown = total_ridges_;
+  Range dug = {0.0, 0.0}, heights;
+  double undug = crater_cells_, frequency = terrain_.frequency, crater_frequency = craters.frequency;
   for (int i = 0;; ++i) {
-    const auto height = [&](double layers_sum, double dug_sum) {
-      return f64::height_power(layers_sum / total_ + dug_sum / terrain_.height, terrain_.height, terrain_.power);
-    };
-    heights.least = height(layers.least + unknown * layer_range.least, dug.least - bowls * undug);
-    heights.most = std::max(height(layers.most + unknown * layer_range.most, dug.most + rims * undug), ice);
+    const Range mean = layers.mean(range_of_layers(terrain_.ridged), total_);
+    const Range dug_means = {mean.least + (dug.least - bowls * undug) / terrain_.height,
+                             mean.most + (dug.most + rims * undug) / terrain_.height};
+    heights = heights_of(dug_means);
+    if (total_ridges_ > 0.0) {
+      const Range of_ranges = ranges_over(dug_means, ridges.mean(range_of_layers(true), total_ridges_));
+      heights = {heights.least + of_ranges.least, heights.most + of_ranges.most};
+    }
+    heights.most = std::max(heights.most, ice);
     // What may take any value within the distance is not worth asking for: nor is all that is finer.
     const bool layer_tells = i < terrain_.octaves && frequency * chord < 0.4 && frequency < finest;
     const bool craters_tell = i < craters.sizes && craters.depth > 0.0 && crater_frequency * chord < 0.4;
     if (heights.lies_apart_from(told_from) || !(layer_tells || craters_tell)) return heights;
     if (layer_tells) {
-      const Range layer = layer_around(direction, chord, frequency, i);
-      layers = {layers.least + amplitude * layer.least, layers.most + amplitude * layer.most};
-      unknown -= amplitude;
-      amplitude *= terrain_.persistence;
+      const Range noise = noise_around(direction, chord, frequency, i);
+      layers.add(layer_of(noise, frequency, terrain_.ridged), terrain_.persistence);
+      if (total_ridges_ > 0.0 && i >= terrain_.ranges.first) {
+        ridges.add(layer_of(noise, frequency, true), terrain_.persistence);
+      }
       frequency *= terrain_.lacunarity;
     }
     if (craters_tell) {

@@ -34,15 +34,20 @@ class Ground {
   [[nodiscard]] double highest() const { return highest_; }
 
  private:
-  // Of one layer of noise, 0..1, and of one size of craters, radii.
-  [[nodiscard]] Range layer_around(const glm::dvec3& direction, double chord, double frequency, int octave) const;
+  // Of the noise of one layer, of that layer made of it, ridged or not, 0..1, and of one size of craters, radii.
+  [[nodiscard]] Range noise_around(const glm::dvec3& direction, double chord, double frequency, int octave) const;
+  [[nodiscard]] Range layer_of(const Range& noise, double frequency, bool ridged) const;
   [[nodiscard]] Range craters_around(const glm::dvec3& direction, double chord, double frequency, int size) const;
-  [[nodiscard]] double left_in(double value, double frequency) const;
+  [[nodiscard]] double left_in(double value, double frequency, bool ridged) const;
+  // From the means of all layers, 0..1: without ranges, and what those add; ridges: of them, 0..1.
+  [[nodiscard]] Range heights_of(const Range& means) const;
+  [[nodiscard]] Range ranges_over(const Range& means, const Range& ridges) const;
   [[nodiscard]] bool ice_around(const glm::dvec3& direction, double chord) const;
 
   f64::Terrain terrain_;
   double footprint_;
   double total_;               // of the amplitudes of the layers
+  double total_ridges_ = 0.0;  // of those that are ridged for ranges as well
   double highest_;             // radius
   double crater_cells_ = 0.0;  // their depth times the width of a cell, summed over all sizes, radii
 };

@@ -110,7 +110,7 @@ TEST_P(OnGpu, TerrainHeight) {
       test::run_on_gpu({"noise", "heights"},
                        "Terrain t; t.height = 0.15; t.frequency = 1.3; t.octaves = 10; t.persistence = 0.5; "
                        "t.lacunarity = 2.03; t.power = 2.1;"
-                       "t.ridged = false; t.sharpness = 14.0; t.seed = 3u;"
+                       "t.ridged = false; t.sharpness = 14.0; t.ranges.part = 0.3; t.ranges.first = 1; t.seed = 3u;"
                        "t.craters.depth = 1.0; t.craters.frequency = 2.0; t.craters.sizes = 6; t.craters.seed = 3u;"
                        "t.ice.sea = 0.3; t.ice.sine = 0.8; t.ice.seed = 3u;"
                        "Height h = terrain_height_at(a.xyz, t, 0.0001); result = vec4(h.gradient, h.value);",
@@ -124,6 +124,7 @@ TEST_P(OnGpu, TerrainHeight) {
   t.power = double{2.1F};
   t.ridged = false;
   t.sharpness = 14.0;
+  t.ranges = {0.3, 1};
   t.seed = 3U;
   t.craters.depth = 1.0;
   t.craters.frequency = 2.0;
@@ -133,7 +134,8 @@ TEST_P(OnGpu, TerrainHeight) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     const f64::Height expected = f64::terrain_height_at(glm::dvec3(in[2 * i]), t, double{0.0001F});
     ASSERT_NEAR(out[i].w, expected.value, 1.5e-6);
-    ASSERT_LT(glm::distance(glm::dvec3(out[i]), expected.gradient), 2e-3);
+    ASSERT_LT(glm::distance(glm::dvec3(out[i]), expected.gradient),
+              4e-3);  // measured 2.3e-3, at sharp crests of ranges
   }
 }
 

@@ -20,6 +20,7 @@ f64::Terrain hills() {
   t.power = 2.1;
   t.ridged = false;
   t.sharpness = 14.0;
+  t.ranges = {0.0, 0};
   t.seed = 3U;
   t.craters.depth = 0.0;
   t.craters.frequency = 3.0;
@@ -88,12 +89,24 @@ TEST(LayerWeight, ShowsAllOfWhatHasFourSamplesACellAndNothingUnderTwo) {
   EXPECT_EQ(f64::layer_weight(1e9, 0.0), 1.0);
 }
 
+// Hills, ridges, and both with ranges.
+std::vector<f64::Terrain> kinds() {
+  std::vector<f64::Terrain> all;
+  for (const double ranges : {0.0, 0.4, 1.0}) {
+    for (const bool ridged : {false, true}) {
+      f64::Terrain t = hills();
+      t.ridged = ridged;
+      t.craters.depth = ridged ? 0.0 : 1.0;
+      t.ranges = {ranges, 2};
+      all.push_back(t);
+    }
+  }
+  return all;
+}
+
 TEST(TerrainHeight, StaysBetweenTheSphereAndItsHighest) {
   Places places(21U);
-  for (const bool ridged : {false, true}) {
-    f64::Terrain t = hills();
-    t.ridged = ridged;
-    t.craters.depth = ridged ? 0.0 : 1.0;
+  for (const f64::Terrain& t : kinds()) {
     for (int i = 0; i < 20'000; ++i) {
       const double h = f64::terrain_height_at(places.on_sphere(), t, 0.0).value;
       ASSERT_GE(h, 0.0);
@@ -104,10 +117,7 @@ TEST(TerrainHeight, StaysBetweenTheSphereAndItsHighest) {
 
 TEST(TerrainHeight, GradientIsTheDerivativeAlongTheSphere) {
   Places places(22U);
-  for (const bool ridged : {false, true}) {
-    f64::Terrain t = hills();
-    t.ridged = ridged;
-    t.craters.depth = ridged ? 0.0 : 1.0;
+  for (const f64::Terrain& t : kinds()) {
     for (int i = 0; i < 5000; ++i) {
       const glm::dvec3 d = places.on_sphere();
       const f64::Height ground = f64::terrain_height_at(d, t, 0.002);
@@ -116,7 +126,57 @@ TEST(TerrainHeight, GradientIsTheDerivativeAlongTheSphere) {
       const double h = 3e-8;  // sharp ridges bend within little more
       const double change = f64::terrain_height_at(glm::normalize(d + h * side), t, 0.002).value -
                             f64::terrain_height_at(glm::normalize(d - h * side), t, 0.002).value;
-      ASSERT_NEAR(glm::dot(ground.gradient, side), change / (2.0 * h), 2e-5) << ridged;
+      ASSERT_NEAR(glm::dot(ground.gradient, side), change / (2.0 * h), 2e-5) << t.ridged << " " << t.ranges.part;
+    }
+  }
+}
+
+TEST(TerrainHeight, RangesStandOnHighGroundOnly) {
+  Places places(28U);
+  f64::Terrain with = hills(), without = hills();
+  with.ranges = {0.5, 2};
+  int low = 0, high = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const glm::dvec3 d = places.on_sphere();
+    const double smooth = f64::terrain_height_at(d, without, 0.0).value;
+    const double raised = f64::terrain_height_at(d, with, 0.0).value - 0.5 * smooth;
+    // The mean of all layers from the height that its power has given.
+    const double mean = std::pow(smooth / without.height, 1.0 / without.power);
+    if (mean < 0.499) {
+      ++low;
+      ASSERT_NEAR(raised, 0.0, 1e-12);
+    } else if (mean > 0.6 && raised > 0.02 * with.height) {
+      ++high;
+    }
+  }
+  EXPECT_GT(low, 1000);
+  EXPECT_GT(high, 300);
+}
+
+// How much a layer acts at a place, which pixels multiply theirs by.
+TEST(TerrainHeight, TellsWhatAFurtherLayerWouldAdd) {
+  Places places(29U);
+  for (const f64::Terrain& t : kinds()) {
+    if (t.craters.depth > 0.0) continue;
+    for (int i = 0; i < 500; ++i) {
+      const glm::dvec3 d = places.on_sphere();
+      const f64::Height ground = f64::terrain_height_at(d, t, 0.0);
+      f64::Terrain more = t;
+      more.octaves = t.octaves + 1;
+      // So faint a layer that what it adds is in proportion to it.
+      more.persistence = t.persistence;
+      const double amplitude = std::pow(t.persistence, t.octaves);
+      const double frequency = t.frequency * std::pow(t.lacunarity, t.octaves);
+      const f64::Noise n = f64::simplex_noise(glm::ivec3(0), d * frequency + f64::layer_offset(t.octaves, t.seed),
+                                              f64::layer_seed(t.octaves, t.seed));
+      const f64::Height coarse = f64::terrain_height_at(d, more, 0.5 / frequency);  // the layer left at its mean
+      const f64::Height fine = f64::terrain_height_at(d, more, 0.0);
+      const double told =
+          amplitude * (coarse.rise * (f64::layer_value(n.value, t.ridged, t.sharpness) - f64::layer_mean(t.ridged)) +
+                       coarse.ridges * (f64::layer_value(n.value, true, t.sharpness) - f64::layer_mean(true)));
+      // The layer above it is left out in part by the same samples, and the power bends.
+      if (f64::layer_weight(frequency / t.lacunarity, 0.5 / frequency) < 1.0) continue;
+      ASSERT_NEAR(fine.value - coarse.value, told, 0.02 * amplitude * t.height) << ground.value;
     }
   }
 }

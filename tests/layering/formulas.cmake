@@ -11,7 +11,11 @@ set(allowed
   "air/fresnel.vert mix sin cos"                                 # corners of a ring on the screen
   "clouds/bake.frag sqrt"                                        # how far apart texels are
   "clouds/shell_near.frag smoothstep exp2 pow"                   # which layers pixels add to the map's
-  "fine_layers.glsl smoothstep sqrt"                             # the same
+  "fine_layers.glsl smoothstep"                                  # the same
+  "anchored_layers.glsl sqrt"                                    # a place without the difference of large numbers
+  "frame_block.glsl log2"                                        # depths
+  "node_vertex.glsl sqrt"                                        # distances of vertices
+  "node_surface.glsl sqrt mix"                                   # which layers pixels add to the vertices'
   "ground/icosphere_near.frag sqrt"                              # how much of it a pixel covers
   "rings/plane.vert mix sin cos")                                # corners of an annulus
 
