@@ -37,16 +37,24 @@ Key key_of_glfw(int code) {
     case GLFW_KEY_D: return Key::d;
     case GLFW_KEY_E: return Key::e;
     case GLFW_KEY_F: return Key::f;
+    case GLFW_KEY_G: return Key::g;
     case GLFW_KEY_H: return Key::h;
     case GLFW_KEY_N: return Key::n;
     case GLFW_KEY_Q: return Key::q;
     case GLFW_KEY_R: return Key::r;
     case GLFW_KEY_S: return Key::s;
+    case GLFW_KEY_T: return Key::t;
     case GLFW_KEY_V: return Key::v;
     case GLFW_KEY_W: return Key::w;
     case GLFW_KEY_X: return Key::x;
     case GLFW_KEY_Y: return Key::y;
     case GLFW_KEY_Z: return Key::z;
+    case GLFW_KEY_1:
+    case GLFW_KEY_KP_1: return Key::one;
+    case GLFW_KEY_2:
+    case GLFW_KEY_KP_2: return Key::two;
+    case GLFW_KEY_3:
+    case GLFW_KEY_KP_3: return Key::three;
     default: return Key::unknown;
   }
 }

@@ -1,8 +1,13 @@
-// The hand on the camera: drags, wheels, pinches and keys become camera parameters, with inertia.
+// The hand on the camera: drags, wheels, pinches and keys become camera parameters, in one of three ways.
 #pragma once
 
 #include <glm/vec2.hpp>
 
+#include "app/fly.hpp"
+#include "app/orbit.hpp"
+#include "app/push.hpp"
+#include "app/walk.hpp"
+#include "panel/camera_mode.hpp"
 #include "planet/pose.hpp"
 #include "scene/scene.hpp"
 
@@ -10,40 +15,46 @@ namespace terrella {
 
 class CameraControl {
  public:
-  // Turns the planet under the camera by a drag of so many pixels. While held, later calls give it momentum.
+  [[nodiscard]] CameraMode mode() const { return mode_; }
+  // The camera stays where it is; what must become otherwise does so over the next ticks.
+  void set_mode(CameraMode mode);
+
+  // A hand takes hold: in orbit the planet stands.
+  void hold();
+  // Turns the planet under the camera by a drag of so many pixels. While held, later calls give it momentum. In flight
+  // and on foot it looks around.
   void drag(Scene& scene, const View& view, glm::dvec2 pixels);
   // Lets go after a drag: the planet turns on for a while. seconds: since the last drag call; a rest stops it.
-  void release(double seconds);
-  // Looks around: heading and pitch by a drag of so many pixels.
+  void release(double seconds) { orbit_.release(seconds); }
+  // Looks around by a drag of so many pixels.
   void look(Scene& scene, const View& view, glm::dvec2 pixels);
-  // Asks to come nearer by a factor above 1 (or to go away, below 1), towards a pixel. Done over the next ticks.
+  // Asks to come nearer by a factor above 1 (or to go away, below 1), towards a pixel. Done over the next ticks. In
+  // flight it is the speed that changes.
   void zoom(double factor, glm::dvec2 toward);
-  // The same at once, as fingers do.
+  // The same at once, as fingers do. Feet stay on the ground.
   void zoom_now(Scene& scene, const View& view, double factor, glm::dvec2 toward);
   // Turns the picture clockwise by an angle, rad, as two fingers do that twist: as far as the camera looks down. Level
-  // with the horizon it stays, which a twist would only drag along.
+  // with the horizon it stays, which a twist would only drag along; but in flight it rolls.
   void roll(Scene& scene, double angle);
-  // Which ways the held keys push, each -1..1: to the right, ahead, nearer, turn right, look up.
-  struct Push {
-    double right = 0.0, ahead = 0.0, nearer = 0.0, turn = 0.0, tilt = 0.0;
-    bool operator==(const Push&) const = default;
-  };
+  // Which ways the held keys push.
   void push(const Push& push) { push_ = push; }
-  [[nodiscard]] bool pushed() const { return push_ != Push{}; }
+  [[nodiscard]] bool pushed() const { return pushes(push_); }
 
   // Lets time pass (s, >= 0). Returns whether the camera moved.
   bool tick(Scene& scene, const View& view, double seconds);
 
   // Whether it will move on without a further touch.
   [[nodiscard]] bool moving() const;
-  // Stops all inertia: the scene was replaced.
+  // Stops all inertia.
   void stop();
+  // Another scene is there. It is shown as it is: who walked and would fall in it, orbits again.
+  void scene_replaced(const Scene& scene);
 
  private:
-  glm::dvec2 velocity_{0.0};  // of the ground through the picture, pixels a second
-  glm::dvec2 last_drag_{0.0};
-  double zoom_left_ = 0.0;  // logarithm of the factor still to come
-  glm::dvec2 zoom_toward_{0.0};
+  CameraMode mode_ = CameraMode::orbit;
+  Orbit orbit_;
+  Fly fly_;
+  Walk walk_;
   Push push_;
 };
 

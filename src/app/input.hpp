@@ -28,16 +28,21 @@ enum class Key {
   d,
   e,
   f,
+  g,
   h,
   n,
   q,
   r,
   s,
+  t,
   v,
   w,
   x,
   y,
-  z
+  z,
+  one,
+  two,
+  three
 };
 
 struct Modifiers {

@@ -347,7 +347,7 @@ void Session::keep_habits() {
 }
 
 void Session::obey(const PanelWishes& wishes) {
-  if (wishes.scene_replaced) camera_.stop();
+  if (wishes.scene_replaced) camera_.scene_replaced(document_.scene);
   if (wishes.preset_chosen) opened_ = document_;
   if (wishes.scene_changed || wishes.scene_replaced) {
     begin_step_of_panel();
@@ -359,6 +359,7 @@ void Session::obey(const PanelWishes& wishes) {
   hand_on_value_ = wishes.dragging;
   if (wishes.undo) undo();
   if (wishes.redo) redo();
+  if (wishes.camera_mode) set_camera_mode(*wishes.camera_mode);
   if (wishes.paused) set_paused(*wishes.paused);
   if (wishes.seconds) set_seconds(*wishes.seconds);
   if (wishes.copy_link && host_.copy_text) host_.copy_text(to_link(document_));
@@ -376,6 +377,7 @@ PanelFacts Session::facts() const {
   facts.seconds = seconds_;
   facts.paused = paused_;
   facts.comparing = comparing_;
+  facts.camera_mode = camera_.mode();
   facts.can_fill_screen = host_.fill_screen != nullptr;
   facts.can_undo = history_.can_undo();
   facts.can_redo = history_.can_redo();
@@ -418,7 +420,7 @@ void Session::scene_was_changed() {
 void Session::open(const SceneDocument& loaded) {
   document_ = opened_ = loaded;
   notices_.clear();  // they were about another scene
-  camera_.stop();
+  camera_.scene_replaced(document_.scene);
   if (!planet_shown_) history_.start({document_, opened_});
   history_.begin();
   scene_was_changed();
@@ -435,7 +437,7 @@ void Session::redo() {
 void Session::return_to(const Snapshot& snapshot) {
   document_ = snapshot.document;
   opened_ = snapshot.opened;
-  camera_.stop();
+  camera_.scene_replaced(document_.scene);
   scene_was_changed();
 }
 

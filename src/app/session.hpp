@@ -86,6 +86,7 @@ class Session {
   Turn frame(double now, GLuint framebuffer);
 
   [[nodiscard]] const SceneDocument& document() const { return document_; }
+  [[nodiscard]] CameraMode camera_mode() const { return camera_.mode(); }
   // Sentences for what was skipped; the rest applies.
   std::vector<std::string> load_json(const std::string& text);
   std::vector<std::string> load_link(const std::string& link);
@@ -134,6 +135,7 @@ class Session {
   Scene as_kept() const;
   void compare(bool wanted);
   void surprise();
+  void set_camera_mode(CameraMode mode);
   void scene_was_changed();
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);

@@ -46,7 +46,7 @@ void Session::pointer_button(Button button, bool down) {
     return;
   }
   history_.begin();
-  camera_.stop();
+  camera_.hold();
   const bool look = button != Button::left || modifiers_.control || modifiers_.shift;
   drag_ = look ? Drag::look : Drag::turn;
   last_drag_time_ = now_;
@@ -113,10 +113,13 @@ bool Session::key(Key key, bool down, Modifiers modifiers) {
     const bool for_screen = key == Key::f && modifiers.shift;
     if (!for_screen) keys_tapped_.insert(key);
     if (for_screen && !again && host_.fill_screen) host_.fill_screen();
-    if (key == Key::space) set_paused(!paused_);
+    if (key == Key::space && camera_.mode() != CameraMode::walk) set_paused(!paused_);
     if (key == Key::h) show_panel(!panel_shown_);
     if (key == Key::c) compare(true);
     if (key == Key::n && !again) surprise();
+    if (key == Key::one) set_camera_mode(CameraMode::orbit);
+    if (key == Key::two) set_camera_mode(CameraMode::fly);
+    if (key == Key::three) set_camera_mode(CameraMode::walk);
   } else {
     keys_down_.erase(key);
     if (key == Key::c) compare(false);
@@ -174,13 +177,26 @@ void Session::begin_step_of_panel() {
 void Session::update_pushes() {
   const auto pressed = [&](Key key) { return keys_down_.count(key) + keys_tapped_.count(key) > 0; };
   const auto held = [&](Key a, Key b) { return pressed(a) || pressed(b) ? 1.0 : 0.0; };
-  CameraControl::Push push;
+  Push push;
   push.right = held(Key::right, Key::d) - held(Key::left, Key::a);
   push.ahead = held(Key::up, Key::w) - held(Key::down, Key::s);
   push.nearer = held(Key::plus, Key::plus) - held(Key::minus, Key::minus);
   push.turn = held(Key::e, Key::e) - held(Key::q, Key::q);
   push.tilt = held(Key::r, Key::page_up) - held(modifiers_.shift ? Key::page_down : Key::f, Key::page_down);
+  // Keys that are for one way to move alone: in the others they would keep frames coming for nothing.
+  if (camera_.mode() == CameraMode::fly) push.up = held(Key::t, Key::t) - held(Key::g, Key::g);
+  if (camera_.mode() == CameraMode::walk) push.jump = pressed(Key::space);
+  push.fast = modifiers_.shift;
   camera_.push(push);
+}
+
+// What follows without a hand, as a fall does, is a step of its own to be undone.
+void Session::set_camera_mode(CameraMode mode) {
+  if (mode == camera_.mode()) return;
+  if (!hand_is_busy()) history_.begin();
+  camera_.set_mode(mode);
+  update_pushes();
+  panel_frames_ = 3;
 }
 
 void Session::text(unsigned codepoint) {

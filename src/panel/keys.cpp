@@ -6,12 +6,29 @@ namespace terrella {
 namespace {
 
 constexpr KeyLine planet_lines[] = {
+    {"1, 2, 3", "orbit the planet, fly, walk"},
     {"Drag", "turn the planet"},
     {"Wheel, + and -", "nearer, away"},
     {"Right drag, Ctrl+drag", "look around"},
     {"Arrows, W A S D", "move over the ground"},
     {"Q and E", "turn left, right"},
     {"R and F, Page Up and Down", "look up, down"},
+};
+
+constexpr KeyLine flight_lines[] = {
+    {"W A S D, arrows", "along the view, sideways"},
+    {"T and G", "rise, sink"},
+    {"Q and E", "roll left, right"},
+    {"Drag", "look around"},
+    {"Wheel, + and -", "faster, slower"},
+    {"Shift, held", "four times as fast"},
+};
+
+constexpr KeyLine foot_lines[] = {
+    {"W A S D, arrows", "walk"},
+    {"Shift, held", "run"},
+    {"Space", "jump"},
+    {"Drag", "look around"},
 };
 
 constexpr KeyLine scene_lines[] = {
@@ -48,8 +65,9 @@ constexpr KeyLine finger_lines[] = {
 };
 
 constexpr KeyGroup groups_of_keys[] = {
-    {"On the planet", planet_lines}, {"The scene", scene_lines},        {"The panel", panel_lines},
-    {"On a slider", slider_lines},   {"By finger", finger_lines, true},
+    {"On the planet", planet_lines},   {"In flight", flight_lines}, {"On foot", foot_lines},
+    {"The scene", scene_lines},        {"The panel", panel_lines},  {"On a slider", slider_lines},
+    {"By finger", finger_lines, true},
 };
 
 }  // namespace

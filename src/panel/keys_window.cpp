@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "panel/finger_scroll.hpp"
 #include "panel/keys.hpp"
@@ -11,14 +12,17 @@
 namespace terrella {
 namespace {
 
-constexpr float widest = 440.0F;  // points
+constexpr float column = 440.0F;  // points, at the most
 constexpr float most_of_display = 0.92F;
 constexpr float keys_share = 0.45F;  // of the width
-constexpr float line_gap = 3.0F;     // points; the whole list fits on a small screen
+constexpr float line_gap = 3.0F;     // points; the whole list fits on a screen of 720
+
+// Side by side, all of them fit on a screen that is wide; fingers need one.
+int columns() { return !by_finger() && most_of_display * ImGui::GetIO().DisplaySize.x > points(2.0F * column) ? 2 : 1; }
 
 bool begin_in_the_middle() {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float width = std::min(points(widest), most_of_display * display.x);
+  const float width = std::min(points(column) * static_cast<float>(columns()), most_of_display * display.x);
   ImGui::SetNextWindowPos({display.x * 0.5F, display.y * 0.5F}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, most_of_display * display.y});
   // It may lie over the panel.
@@ -53,6 +57,23 @@ void lines_of(const KeyGroup& group) {
   ImGui::PopStyleVar();
 }
 
+// Those of the camera come first and are as many as all others.
+void groups_side_by_side() {
+  // Who points by finger has no use for the others, and the other way round.
+  std::vector<const KeyGroup*> groups;
+  for (const KeyGroup& group : key_groups()) {
+    if (group.of_fingers == by_finger()) groups.push_back(&group);
+  }
+  const std::size_t rows = groups.size() / static_cast<std::size_t>(columns());
+  if (!ImGui::BeginTable("groups", columns(), ImGuiTableFlags_SizingStretchSame)) return;
+  ImGui::TableNextColumn();
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (i == rows && columns() > 1) ImGui::TableNextColumn();
+    lines_of(*groups[i]);
+  }
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 void keys_window(Sheet& sheet) {
@@ -60,10 +81,7 @@ void keys_window(Sheet& sheet) {
   if (!shown) return;
   if (begin_in_the_middle()) {
     heading(sheet);
-    // Who points by finger has no use for the others, and the other way round.
-    for (const KeyGroup& group : key_groups()) {
-      if (group.of_fingers == by_finger()) lines_of(group);
-    }
+    groups_side_by_side();
   }
   ImGui::End();
   if (!ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) shown = false;

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/text.hpp"
+#include "panel/camera_rows.hpp"
 #include "panel/caret.hpp"
 #include "panel/facts_view.hpp"
 #include "panel/finger_scroll.hpp"
@@ -53,10 +54,16 @@ bool group_header(Sheet& sheet, const Group& group) {
   return open;
 }
 
+// What some groups show beside their parameters.
+void rows_above(Sheet& sheet, std::string_view group) {
+  if (group == "camera") camera_rows(sheet);
+  if (group == "quality") quality_rows(sheet);
+}
+
 void groups_section(Sheet& sheet) {
   for (const Group& group : groups()) {
     if (!group_header(sheet, group)) continue;
-    if (group.name == "quality") quality_rows(sheet);
+    rows_above(sheet, group.name);
     for (const Parameter& parameter : parameters()) {
       if (parameter.group == group.name) parameter_row(sheet, parameter);
     }
@@ -74,7 +81,7 @@ void found_section(Sheet& sheet, std::string_view text) {
       group = parameter->group;
       ImGui::SeparatorText(std::string(find_group(group)->title).c_str());
       sheet.place(group);
-      if (group == "quality") quality_rows(sheet);
+      rows_above(sheet, group);
     }
     parameter_row(sheet, *parameter);
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "panel/camera_mode.hpp"
 #include "panel/memory.hpp"
 #include "scene/document.hpp"
 #include "scene/quality_path.hpp"
@@ -32,6 +33,7 @@ struct PanelFacts {
   bool can_undo = false, can_redo = false;
   bool comparing = false;  // the planet is shown as it was opened
   bool can_fill_screen = false;
+  CameraMode camera_mode = CameraMode::orbit;
   double frame_ms = 0.0;
   std::int64_t triangles = 0, gpu_bytes = 0, noise_evaluations = 0;
   int draw_calls = 0;
@@ -53,6 +55,7 @@ struct PanelWishes {
   bool dragging = false;    // the hand is still on a value
   bool takes_back = false;  // the change takes back that of a first click, for this was the second
   bool undo = false, redo = false;
+  std::optional<CameraMode> camera_mode;
   std::optional<bool> paused;
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false;

@@ -164,7 +164,8 @@ void two_columns(float share, const std::function<void()>& left, const std::func
   left();
   ImGui::EndGroup();
   ImGui::PopTextWrapPos();
-  ImGui::SameLine(middle, 0.0F);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(middle);  // SameLine would count from somewhere else in a table
   ImGui::BeginGroup();
   right();
   ImGui::EndGroup();

@@ -28,6 +28,11 @@ double fov_between(double from, double to, double share) {
   return glm::degrees(2.0 * std::atan(tangent));
 }
 
+// The short way, degrees.
+double roll_between(double from, double to, double share) {
+  return std::remainder(from + share * std::remainder(to - from, 360.0), 360.0);
+}
+
 // Half the angle under which the planet is seen, rad.
 double half_of_planet(double clearance) { return std::asin(1.0 / (1.0 + clearance)); }
 
@@ -54,7 +59,8 @@ glm::dvec2 way_along(double bearing, double angle) { return angle * glm::dvec2(s
 Step between(const Step& from, const Step& to, double share) {
   return {from.way + share * (to.way - from.way),   std::lerp(from.turn, to.turn, share),
           std::lerp(from.ground, to.ground, share), from.clearance * std::pow(to.clearance / from.clearance, share),
-          std::lerp(from.pitch, to.pitch, share),   fov_between(from.fov, to.fov, share)};
+          std::lerp(from.pitch, to.pitch, share),   fov_between(from.fov, to.fov, share),
+          roll_between(from.roll, to.roll, share)};
 }
 
 Flight::End Flight::end_of(const Scene& scene, const Camera& camera) {
@@ -76,7 +82,9 @@ Flight::Flight(const Scene& scene, const Camera& from, const Camera& to)
   from_.residual = from_.ground - smooth_ground(0.0);
   to_.residual = to_.ground - smooth_ground(1.0);
   constexpr double one_turn = 0.25 * std::numbers::pi;  // a unit
-  const double turn = std::max(std::abs(turn_), std::abs(glm::radians(to.pitch - from.pitch))) / one_turn;
+  const double pitch = glm::radians(to.pitch - from.pitch);
+  const double roll = glm::radians(std::remainder(to.roll - from.roll, 360.0));
+  const double turn = std::max({std::abs(turn_), std::abs(pitch), std::abs(roll)}) / one_turn;
   const double zoom = std::abs(std::log2(magnification(to.fov) / magnification(from.fov)));
   length_ = std::max({glide_.length(), turn, zoom});
 }
@@ -124,6 +132,7 @@ Step Flight::step(double part) const {
   step.clearance = part < 0.5 ? glide_.from_start(part).height : glide_.from_end(part).height;
   step.pitch = std::clamp(tilt(step.clearance, part) - 90.0, -90.0, 90.0);
   step.fov = fov_between(from_.camera.fov, to_.camera.fov, gently);
+  step.roll = roll_between(from_.camera.roll, to_.camera.roll, gently);
   return step;
 }
 
@@ -155,6 +164,7 @@ Camera camera_at(const Facing& facing, const Step& step, double radius) {
   camera.altitude = std::clamp((step.ground + step.clearance - 1.0) * radius, 0.0, highest);
   camera.pitch = step.pitch;
   camera.fov = step.fov;
+  camera.roll = step.roll;
   return camera;
 }
 

@@ -18,6 +18,7 @@ struct Step {
   double clearance = 1.0;  // > 0
   double pitch = 0.0;      // degrees
   double fov = 45.0;       // degrees
+  double roll = 0.0;       // degrees
 };
 
 // A step between two others; share: 0 gives `from`, 1 gives `to`.

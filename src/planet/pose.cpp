@@ -69,7 +69,8 @@ double surface_radius(const Scene& scene, const glm::dvec3& direction) {
     surface = 1.0 + f64::terrain_height_at(direction, exact_terrain_of(scene), 0.01 * least_clearance(scene)).value;
   } else if (has_ground(scene)) {
     const f32::Terrain terrain = terrain_of(scene);
-    surface = std::max({ground_radius(terrain, direction, 1e-7), drawn_ground_radius(terrain, direction, coarse_level),
+    surface = std::max({exact_ground_radius(exact_terrain_of(scene), direction, 1e-7),
+                        drawn_ground_radius(terrain, direction, coarse_level),
                         drawn_ground_radius(terrain, direction, ground_level(scene))});
   }
   if (has_water(scene)) {
@@ -106,7 +107,9 @@ Pose pose_of(const Scene& scene, const View& view) {
   const double heading = glm::radians(camera.heading), pitch = glm::radians(camera.pitch);
   const glm::dvec3 ahead = std::cos(heading) * north + std::sin(heading) * east;
   pose.forward = std::cos(pitch) * ahead + std::sin(pitch) * down_from;
-  pose.right = std::cos(heading) * east - std::sin(heading) * north;
+  const glm::dvec3 level = std::cos(heading) * east - std::sin(heading) * north;
+  const double roll = glm::radians(camera.roll);
+  pose.right = std::cos(roll) * level - std::sin(roll) * glm::cross(level, pose.forward);
   pose.up = glm::cross(pose.right, pose.forward);
   pose.tan_half_fov = view.field * std::tan(0.5 * glm::radians(camera.fov));
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;

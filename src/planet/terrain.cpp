@@ -55,6 +55,10 @@ double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, d
   return 1.0 + double{f32::terrain_height_at(glm::vec3(direction), terrain, static_cast<float>(edge)).value};
 }
 
+double exact_ground_radius(const f64::Terrain& terrain, const glm::dvec3& direction, double edge) {
+  return 1.0 + f64::terrain_height_at(direction, terrain, edge).value;
+}
+
 double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, int level) {
   const IcospherePlace place = locate_on_icosphere(direction, level);
   const double edge = icosphere_edge(level);

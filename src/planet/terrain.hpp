@@ -21,6 +21,10 @@ int noise_per_height(const Scene& scene, double footprint);
 // Radii of the ground at each direction (unit), as a mesh with the given length of edges (rad) can carry it.
 double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, double edge);
 
+// The same where steps of a walker count: single precision places no finer than 0.4 m on a planet as large as the
+// Earth.
+double exact_ground_radius(const f64::Terrain& terrain, const glm::dvec3& direction, double edge);
+
 // Radius of the flat triangle that a mesh of the given icosphere level shows at a direction.
 double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, int level);
 

@@ -317,6 +317,85 @@ TEST_F(SessionTest, ARunOfNotchesIsOneStepAndTheNextRunAnother) {
   EXPECT_EQ(session.document().scene.camera.altitude, start);
 }
 
+TEST_F(SessionTest, DigitsChangeHowHandsMoveTheCamera) {
+  settle();
+  const auto before = session.document().scene.camera;
+  tap(Key::two);
+  EXPECT_EQ(session.camera_mode(), CameraMode::fly);
+  settle();
+  EXPECT_TRUE(session.document().scene.camera == before);
+  session.key(Key::t, true, {});
+  frames(30);
+  session.key(Key::t, false, {});
+  settle();
+  EXPECT_GT(session.document().scene.camera.altitude, before.altitude);
+  session.key(Key::e, true, {});
+  frames(10);
+  session.key(Key::e, false, {});
+  EXPECT_GT(session.document().scene.camera.roll, 1.0);
+  tap(Key::one);
+  EXPECT_EQ(session.camera_mode(), CameraMode::orbit);
+  session.key(Key::t, true, {});  // is nothing here: no frame is drawn for it
+  settle();
+  session.key(Key::t, false, {});
+}
+
+TEST_F(SessionTest, AFallComesToRestAndIsUndoneIntoOrbit) {
+  settle();
+  const auto before = session.document().scene.camera;
+  tap(Key::three);
+  settle();
+  const double standing = session.document().scene.camera.altitude;
+  EXPECT_LT(standing, 0.3);
+  EXPECT_FALSE(session.frame(now_ += 1.0, framebuffer_).again);
+  tap(Key::z, control);
+  EXPECT_EQ(session.camera_mode(), CameraMode::orbit);
+  settle();
+  EXPECT_TRUE(session.document().scene.camera == before);
+  tap(Key::y, control);
+  settle();
+  EXPECT_EQ(session.document().scene.camera.altitude, standing);
+}
+
+TEST_F(SessionTest, SpaceJumpsOnFoot) {
+  session.load_link("preset=moon");
+  tap(Key::three);
+  settle();
+  const double standing = session.document().scene.camera.altitude;
+  tap(Key::space);
+  frames(5);
+  EXPECT_GT(session.document().scene.camera.altitude, standing);
+  settle();
+  EXPECT_NEAR(session.document().scene.camera.altitude, standing, 1e-9);
+}
+
+TEST_F(SessionTest, ASceneThatIsOpenedIsShownAsItIsAlsoToAWalker) {
+  settle();
+  tap(Key::three);
+  settle();
+  session.load_link("preset=moon");
+  settle();
+  EXPECT_EQ(session.camera_mode(), CameraMode::orbit);
+  EXPECT_TRUE(session.document().scene.camera == find_preset("moon")->scene.camera);
+}
+
+TEST_F(SessionTest, APressInFlightDoesNotBrakeIt) {
+  settle();
+  tap(Key::two);
+  session.key(Key::s, true, {});
+  frames(60);
+  const auto moved = [&] {
+    const double before = session.document().scene.camera.altitude;
+    frames(5);
+    return session.document().scene.camera.altitude / before;
+  };
+  const double usual = moved();
+  session.pointer_button(Button::left, true);
+  EXPECT_NEAR(moved(), usual, 0.02 * (usual - 1.0));
+  session.pointer_button(Button::left, false);
+  session.key(Key::s, false, {});
+}
+
 TEST_F(SessionTest, NothingIsUndoneUnderAHandThatHolds) {
   settle();
   session.pointer_moved(40.0, 25.0);

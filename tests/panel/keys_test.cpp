@@ -1,5 +1,7 @@
 #include "panel/keys.hpp"
 
+#include <imgui_internal.h>  // whether a window scrolls
+
 #include <fstream>
 #include <sstream>
 
@@ -36,6 +38,20 @@ TEST_F(PanelTest, TheListOfKeysComesAndGoes) {
   click("keys/close");
   frames(2);
   EXPECT_EQ(count_of("keys/close"), 0);
+}
+
+class SmallScreenTest : public PanelTest {
+ protected:
+  SmallScreenTest() : PanelTest(1280.0F, 720.0F) {}
+};
+
+TEST_F(SmallScreenTest, TheWholeListOfKeysIsInSight) {
+  panel.toggle_keys();
+  frames(4);
+  const ImGuiWindow* const window = ImGui::FindWindowByName("keys");
+  ASSERT_NE(window, nullptr);
+  EXPECT_EQ(window->ScrollMax.y, 0.0F);
+  EXPECT_LT(window->Size.y, 720.0F);
 }
 
 TEST_F(PanelTest, EscapeClosesTheListOfKeysAndLeavesTheSearch) {

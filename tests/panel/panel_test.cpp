@@ -320,6 +320,18 @@ TEST_F(PanelTest, QualityIsChosenByNameOrHeldByItself) {
   EXPECT_TRUE(has_quality(document.scene, *find_quality("reference")));
 }
 
+TEST_F(PanelTest, HowHandsMoveTheCameraIsChosenAboveItsParameters) {
+  click("camera", 0.3F);
+  frames(2);
+  EXPECT_LT(place_of("camera/walk").bottom, place_of("camera.latitude").top + 1.0F);
+  EXPECT_EQ(click("camera/walk").camera_mode, CameraMode::walk);
+  EXPECT_EQ(click("camera/fly").camera_mode, CameraMode::fly);
+  EXPECT_EQ(click("camera/orbit").camera_mode, std::nullopt);  // is on
+  facts.camera_mode = CameraMode::fly;
+  EXPECT_EQ(click("camera/orbit").camera_mode, CameraMode::orbit);
+  EXPECT_EQ(click("camera/fly").camera_mode, std::nullopt);
+}
+
 TEST_F(PanelTest, SaysWhatWasGivenUpForATime) {
   click("quality");
   frames(3);

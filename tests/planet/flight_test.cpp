@@ -39,6 +39,7 @@ Camera any_camera(test::Places& places, double radius) {
                        radius * std::pow(10.0, places.between(-4.0, 4.0)), places.between(-360.0, 360.0));
   made.pitch = places.between(-90.0, 90.0);
   made.fov = places.between(1.0, 170.0);
+  made.roll = places.between(-180.0, 180.0);
   return made;
 }
 

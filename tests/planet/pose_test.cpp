@@ -33,6 +33,34 @@ TEST(Pose, HeadingTurnsClockwiseFromNorth) {
   EXPECT_GT(pose_of(scene, {}).forward.y, 0.999);  // east of x is y
 }
 
+TEST(Pose, RollLeansToTheRightAndLeavesWhatIsAhead) {
+  Scene scene;
+  scene.camera.pitch = -20.0;
+  const Pose level = pose_of(scene, {});
+  EXPECT_NEAR(glm::dot(level.right, glm::normalize(level.eye)), 0.0, 1e-15);
+  scene.camera.roll = 30.0;
+  const Pose leaning = pose_of(scene, {});
+  EXPECT_EQ(leaning.forward, level.forward);
+  EXPECT_NEAR(glm::dot(leaning.right, level.up), -0.5, 1e-12);  // the right wing is down
+  EXPECT_NEAR(glm::dot(leaning.up, level.right), 0.5, 1e-12);
+}
+
+// Single precision would move in steps of 6e-8, and 0 between them.
+TEST(Pose, SurfaceIsFoundFinerThanSinglePrecisionTellsPlaces) {
+  Scene scene;
+  scene.water.level = 0.0;
+  double least = 1.0, most = -1.0;
+  for (int i = 0; i < 50; ++i) {
+    const double lat = 30.0, lon = 20.0 + 1e-7 * i, step = 5e-8;
+    const double slope =
+        (surface_radius(scene, direction_of(lat, lon + step)) - surface_radius(scene, direction_of(lat, lon))) /
+        (step * 0.0174533);
+    least = std::min(least, slope);
+    most = std::max(most, slope);
+  }
+  EXPECT_LT(most - least, 0.5);
+}
+
 TEST(Pose, IsRightHandedAndUnitEverywhereAlsoAtThePoles) {
   test::Places places(1U);
   Scene scene;
@@ -41,8 +69,10 @@ TEST(Pose, IsRightHandedAndUnitEverywhereAlsoAtThePoles) {
     scene.camera.longitude = places.between(-180.0, 180.0);
     scene.camera.heading = places.between(-360.0, 360.0);
     scene.camera.pitch = places.between(-90.0, 90.0);
+    scene.camera.roll = places.between(-180.0, 180.0);
     const Pose pose = pose_of(scene, {});
     EXPECT_NEAR(glm::length(pose.forward), 1.0, 1e-12);
+    EXPECT_NEAR(glm::length(pose.right), 1.0, 1e-12);
     EXPECT_LT(glm::distance(glm::cross(pose.right, pose.forward), pose.up), 1e-12);
     EXPECT_NEAR(glm::dot(pose.right, pose.forward), 0.0, 1e-12);
   }

@@ -48,12 +48,12 @@ TEST(ReadPath, TellsInEachViewWhatDiffersFromTheOneBefore) {
 }
 
 TEST(ReadPath, SaysWhichKeyIsWrongAndWhatIsAllowed) {
-  EXPECT_EQ(
-      said_of_views(R"({"latitud": 3}, {"camera.latitude": 3})"),
-      "view 1, latitud: there is no such key; allowed are latitude, longitude, altitude, heading, pitch, fov, at; "
-      "did you mean latitude?\n"
-      "view 2, camera.latitude: there is no such key; allowed are latitude, longitude, altitude, heading, pitch, "
-      "fov, at.\n");
+  EXPECT_EQ(said_of_views(R"({"latitud": 3}, {"camera.latitude": 3})"),
+            "view 1, latitud: there is no such key; allowed are latitude, longitude, altitude, heading, pitch, roll, "
+            "fov, at; "
+            "did you mean latitude?\n"
+            "view 2, camera.latitude: there is no such key; allowed are latitude, longitude, altitude, heading, pitch, "
+            "roll, fov, at.\n");
   EXPECT_EQ(said(R"({"terrella_path": 1, "view": [], "views": [{}, {}]})"),
             "view: there is no such key; allowed are terrella_path, views, title, about; did you mean views?\n");
   EXPECT_EQ(said_of_views(R"({"fov": 20, "fov": 30}, {})"), "view 1, fov: is given more than once.\n");

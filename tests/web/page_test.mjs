@@ -73,6 +73,19 @@ describe('the page', () => {
     await page.context().close();
   });
 
+  test('flies and walks: 2 and E roll, 3 leads down to the ground', async () => {
+    const page = await open('?panel=0&pause=1');
+    await page.focus('canvas');
+    await page.keyboard.press('2');
+    await page.keyboard.down('e');
+    await until(page, () => terrella.get('camera.roll') > 5);
+    await page.keyboard.up('e');
+    await page.keyboard.press('3');
+    await until(page, () => terrella.get('camera.altitude') < 0.3 && terrella.get('camera.roll') === 0);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  });
+
   test('undoes and redoes by keys, and the address follows', async () => {
     const page = await open('?panel=0&pause=1&preset=moon');
     const longitude = () => page.evaluate(() => terrella.get('camera.longitude'));

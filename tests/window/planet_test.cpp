@@ -37,6 +37,17 @@ TEST_F(UsersWindowTest, AMovementWithoutAPressTurnsNothing) {
   EXPECT_EQ(copied_link(), link_at_first);
 }
 
+TEST_F(UsersWindowTest, InFlightEAndQRollTheCamera) {
+  const Picture before = settled();
+  hands->tap({"2"});
+  hands->tap({"e"});
+  EXPECT_TRUE(changes(before, kPlanet));
+  settled();
+  const std::string link = copied_link();
+  EXPECT_NE(link.find("&camera.roll="), std::string::npos) << link;
+  EXPECT_EQ(link.find("&camera.heading="), std::string::npos) << link;
+}
+
 TEST_F(UsersWindowTest, NBringsANewPlanetAndCtrlZTakesItBack) {
   const Picture before = settled();
   hands->tap({"n"});

@@ -3,7 +3,8 @@
 
 // In the order of terrella::Key.
 const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', '+', '-', ' ',
-  'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'h', 'n', 'q', 'r', 's', 'v', 'w', 'x', 'y', 'z'];
+  'Enter', 'Escape', 'Tab', 'Backspace', 'Delete', 'a', 'c', 'd', 'e', 'f', 'g', 'h', 'n', 'q', 'r', 's', 't', 'v', 'w', 'x',
+  'y', 'z', '1', '2', '3'];
 
 const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
 
@@ -491,7 +492,9 @@ class ScreenKeys {
 function listenToKeys({ canvas, program, wake }, element) {
   const key = down => event => {
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const index = Math.max(0, keys.indexOf(name === '=' ? '+' : name));
+    // On some keyboards digits are printed above what their keys write.
+    const digit = /^Digit([123])$/.exec(event.code)?.[1];
+    const index = Math.max(0, keys.indexOf(name === '=' ? '+' : digit ?? name));
     const control = event.ctrlKey || event.metaKey;
     const used = program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
     if (down && event.key.length === 1 && !control) program._terrella_text(event.key.codePointAt(0));
