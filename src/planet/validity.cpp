@@ -74,7 +74,7 @@ double missed_part(double cells_on_edge) {
 
 void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
   const auto& terrain = scene.terrain;
-  const bool relief = needs.ground != Ground::none && terrain.octaves > 0;
+  const bool relief = needs.ground == Ground::icosphere && terrain.octaves > 0;  // nodes grow as fine as it takes
   const double may_be_missed = scene.quality.pixel_error * pixel_of_height(pose);
   const double edge = icosphere_edge(needs.ground_level), most = most_cells_on_edge / edge;
   const double missed = missed_part(terrain.frequency * edge);

@@ -120,7 +120,9 @@ TEST(NodesInPictures, ShowEveryMillimetreOfAWalk) {
                   part(trembles, 0.5), part(trembles, 0.9));
     }
     EXPECT_GT(part(moves, 0.5), 5e-4) << radius;
-    EXPECT_LT(part(trembles, 0.9), 1e-4) << radius;
+    // Measured: 7e-6 by llvmpipe; 1.5e-3 by NVIDIA, which moves corners of triangles to 256ths of a pixel. At a
+    // distance of five metres a twentieth of a pixel is 2.9 mm.
+    EXPECT_LT(part(trembles, 0.9), 2.9e-3) << radius;
   }
 }
 
