@@ -127,7 +127,8 @@ TEST(SinglePrecision, TerrainHeight) {
       worst = std::fmax(worst, std::fabs(exact(a.value) - b.value));
       worst_gradient = std::fmax(worst_gradient, glm::distance(glm::dvec3(a.gradient), b.gradient));
     }
-    EXPECT_LT(worst, ranges > 0.0F ? 5e-7 : 2e-7) << ranges;  // measured: 8.5e-8 planet radii without, 1.8e-7 with ranges
+    EXPECT_LT(worst, ranges > 0.0F ? 5e-7 : 2e-7)
+        << ranges;  // measured: 8.5e-8 planet radii without, 1.8e-7 with ranges
     // Measured: 1.9e-4, of slopes up to 2; with ranges, whose crests bend sharply, 2.4e-3.
     EXPECT_LT(worst_gradient, ranges > 0.0F ? 4e-3 : 4e-4) << ranges;
   }

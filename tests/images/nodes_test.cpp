@@ -93,7 +93,9 @@ TEST(NodesInPictures, ShowEveryMillimetreOfAWalk) {
     Scene scene = rugged(radius);
     // Slopes as on a planet of 6360 km, and so many layers that the finest hills are a few metres wide.
     scene.terrain.octaves = radius > 1e7 ? 20 : radius > 1e5 ? 16 : 3;
-    scene.camera = {37.0, -53.0, 0.0, 0.0, -25.0, 60.0};
+    scene.camera.latitude = 37.0;
+    scene.camera.longitude = -53.0;
+    scene.camera.pitch = -25.0;
     stand_over_ground(scene, 2.0 / radius);
     std::vector<Image> pictures;
     for (int step = 0; step < 5; ++step) {

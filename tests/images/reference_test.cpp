@@ -97,7 +97,11 @@ Scene real_ground(double latitude, double longitude, double clearance, double pi
   terrain.ranges = 0.7;
   terrain.range_layer = 4;
   terrain.ridge_sharpness = 20.0;
-  scene.camera = {latitude, longitude, 0.0, 0.0, pitch, 60.0};
+  scene.camera.latitude = latitude;
+  scene.camera.longitude = longitude;
+  scene.camera.altitude = 0.0;
+  scene.camera.pitch = pitch;
+  scene.camera.fov = 60.0;
   scene.sun.latitude = latitude > 45.0 ? 45.0 : latitude;
   scene.sun.longitude = longitude - 40.0;
   const double shown = clearance / scene.planet.radius * 4.0 * 2.0 * 0.577 / 90.0;  // of a cell, rad

@@ -203,11 +203,11 @@ TEST_F(PathCommand, SaysWhatIsWrongAndWritesNothing) {
   give_path(R"({"terrella_path": 1, "views": [{"altitud": 3}, {"latitude": 91}]})");
   const Outcome outcome = render("--frames 3");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(
-      outcome.said,
-      "view 1, altitud: there is no such key; allowed are latitude, longitude, altitude, heading, pitch, fov, at; "
-      "did you mean altitude?\n"
-      "view 2, latitude: 91 is out of range; allowed are -90 to 90 deg.\n");
+  EXPECT_EQ(outcome.said,
+            "view 1, altitud: there is no such key; allowed are latitude, longitude, altitude, heading, pitch, roll, "
+            "fov, at; "
+            "did you mean altitude?\n"
+            "view 2, latitude: 91 is out of range; allowed are -90 to 90 deg.\n");
   EXPECT_EQ(render("--frames 3", "fly.gif").code, 2);
   fs::remove(in("way.json"));
   const Outcome missing = render("--frames 3");
