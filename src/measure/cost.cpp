@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "passes/node_meshes.hpp"
 #include "planet/icosphere_groups.hpp"
 
 namespace terrella {
@@ -36,6 +37,11 @@ class Sum {
     cost_.gpu_bytes += cube_bytes(side, texel);
     ++cost_.textures;
   }
+  void texels(std::int64_t count, int texel) {
+    bytes(count * texel);
+    ++cost_.textures;
+  }
+  void bytes(std::int64_t count) { cost_.gpu_bytes += count; }
   void squares(std::int64_t count, std::int64_t vec4s) {
     draw(2 * count);
     cost_.gpu_bytes += count * six_corners * vec4s * 16;
@@ -45,7 +51,20 @@ class Sum {
   Cost& cost_;
 };
 
+// As many as are kept could be drawn, each as ground and as sea: by one call for each list of triangles.
+void add_nodes(Sum& sum, const Needs& needs) {
+  sum.program("ground/nodes");
+  const std::int64_t vertices = vertices_a_node(needs.ground_cells);
+  const std::int64_t triangles = 2 * needs.ground_cells * needs.ground_cells + 2 * vertices_a_rim(needs.ground_cells);
+  const int layers = needs.water != Water::none ? 2 : 1;
+  sum.draw(layers * node_slots * triangles, 16 * layers);
+  for (const int texel_bytes : {16, 16, 8, 8, 8}) sum.texels(vertices * node_slots, texel_bytes);
+  sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + 16 * 6 * triangles);
+  sum.cube(1, 8);
+}
+
 void add_ground(Sum& sum, const Needs& needs) {
+  if (needs.ground == Ground::quadtree) return add_nodes(sum, needs);
   sum.program("ground/bake");
   sum.program("ground/icosphere");
   sum.program("ground/icosphere_near");
@@ -57,6 +76,11 @@ void add_ground(Sum& sum, const Needs& needs) {
 }
 
 void add_water(Sum& sum, const Needs& needs) {
+  if (needs.ground == Ground::quadtree) {
+    sum.program("water/calm_nodes");
+    sum.program("water/rippled_nodes");
+    return;
+  }
   for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
     sum.program(name);
     sum.program(text_of(name, "_near"));

@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gl/caps.hpp"
+#include "planet/cube_grid.hpp"
 #include "planet/icosphere.hpp"
 #include "planet/materials.hpp"
 #include "planet/spheres.hpp"
@@ -40,7 +41,11 @@ Sight sight_of(const Frame& frame) {
 
 double solid_radius(const Needs& needs) {
   const bool solid = needs.ground != Ground::none || needs.water != Water::none;
-  return solid ? 1.0 - icosphere_sag(group_level) : 0.0;
+  if (!solid) return 0.0;
+  if (needs.ground != Ground::quadtree) return 1.0 - icosphere_sag(group_level);
+  // Across the diagonal of a cell of the coarsest nodes.
+  const double spacing = vertex_spacing(0, needs.ground_cells);
+  return 1.0 - spacing * spacing / 4.0;
 }
 
 RadiusRange water_range(const Frame& frame) {

@@ -10,10 +10,6 @@
 namespace terrella {
 namespace {
 
-// Of which a picture draws one to six hundred; the rest is what it would draw from other places.
-constexpr int slots = 2048;
-constexpr int vec4s_a_node = 5;
-
 // For new nodes, in one frame of a picture that moves.
 constexpr double live_ms = 5.0, hurried_ms = 2.0;
 
@@ -41,7 +37,7 @@ NodeRanges ranges_of(const Needs& needs) { return {needs.ground_split, needs.gro
 
 }  // namespace
 
-NodeMeshes::NodeMeshes() : cache_(slots) {}
+NodeMeshes::NodeMeshes() : cache_(node_slots) {}
 
 void NodeMeshes::start_anew(const Frame& frame) {
   relief_ = relief_of(frame.scene);
@@ -50,7 +46,7 @@ void NodeMeshes::start_anew(const Frame& frame) {
   cache_.clear();
   for (std::size_t i = 0; i < textures_.size(); ++i) {
     const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
-    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(cells_), slots, format);
+    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(cells_), node_slots, format);
   }
   std::vector<std::uint16_t> indices;
   for (unsigned coarser = 0; coarser < 16; ++coarser) {

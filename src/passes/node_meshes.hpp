@@ -16,6 +16,12 @@
 
 namespace terrella {
 
+// Kept at a time: a picture draws one to six hundred; the rest is what it would draw from other places.
+inline constexpr int node_slots = 2048;
+
+// A node's instance, in vec4s.
+inline constexpr int vec4s_a_node = 5;
+
 class NodeMeshes {
  public:
   NodeMeshes();

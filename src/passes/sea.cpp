@@ -28,21 +28,24 @@ WaveBlock wave_block(const Sea& sea) {
 
 }  // namespace
 
-SeaPass::SeaPass(Water technique, SphereMeshes& spheres)
-    : spheres_(spheres), program_(technique == Water::calm ? "water/calm" : "water/waves") {}
+SeaPass::SeaPass(Water technique, SphereMeshes& spheres) : technique_(technique), spheres_(spheres) {}
 
 void SeaPass::want(const Needs& needs) {
-  over_nodes_ = needs.ground == Ground::quadtree;
-  if (over_nodes_) return node_program_.want(needs.ripple_layers > 0 ? "water/rippled_nodes" : "water/calm_nodes");
+  const bool over_nodes = needs.ground == Ground::quadtree;
+  if (!program_ || over_nodes != over_nodes_) {
+    over_nodes_ = over_nodes;
+    program_.emplace(over_nodes ? "water/nodes" : technique_ == Water::calm ? "water/calm" : "water/waves");
+  }
+  if (over_nodes) return program_->want(needs.ripple_layers > 0 ? "water/rippled_nodes" : "water/calm_nodes");
   const bool near = refines_ground(needs);
-  if (needs.water == Water::waves) return program_.want(near ? "water/waves_near" : "water/waves");
-  if (needs.ripple_layers > 0) return program_.want(near ? "water/rippled_near" : "water/rippled");
-  program_.want(near ? "water/calm_near" : "water/calm");
+  if (needs.water == Water::waves) return program_->want(near ? "water/waves_near" : "water/waves");
+  if (needs.ripple_layers > 0) return program_->want(near ? "water/rippled_near" : "water/rippled");
+  program_->want(near ? "water/calm_near" : "water/calm");
 }
 
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
   if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
-  const gl::Program& program = node_program_.use(frame.effort == Effort::complete);
+  const gl::Program& program = program_->use(frame.effort == Effort::complete);
   ground->nodes()->draw(frame, program, NodeMeshes::Layer::sea);
 }
 
@@ -51,7 +54,7 @@ void SeaPass::draw_sphere(const Frame& frame, std::span<const RadiusRange> groun
     const WaveBlock block = wave_block(frame.sea);
     waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));
   }
-  program_.use(frame.effort == Effort::complete);
+  program_->use(frame.effort == Effort::complete);
   const RadiusRange water = water_range(frame);
   std::vector<float> tops(group_count, static_cast<float>(water.highest));
   for (std::size_t g = 0; g < ground.size(); ++g) {

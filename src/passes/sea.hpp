@@ -1,7 +1,8 @@
 // The sea as a sphere: calm with ripples (Sandahl 12, 13), or with trochoidal waves (Sandahl 14 to 16).
 #pragma once
 
-#include <vector>
+#include <optional>
+#include <span>
 
 #include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
@@ -17,7 +18,7 @@ class SeaPass {
   // Starts to compile the program that the needs call for.
   void want(const Needs& needs);
   // True once drawing will not wait for it.
-  bool ready() { return over_nodes_ ? node_program_.ready() : program_.ready(); }
+  bool ready() { return program_->ready(); }
 
   // ground: or nothing. Where it stands out of the water whole, no water is drawn; of one of nodes the sea takes those.
   void draw(const Frame& frame, const GroundPass* ground);
@@ -25,9 +26,9 @@ class SeaPass {
  private:
   void draw_sphere(const Frame& frame, std::span<const RadiusRange> ground);
 
+  Water technique_;
   SphereMeshes& spheres_;
-  gl::ProgramChoice program_;  // over the sphere
-  gl::ProgramChoice node_program_{"water/nodes"};
+  std::optional<gl::ProgramChoice> program_;
   bool over_nodes_ = false;
   gl::UniformBuffer waves_;
 };

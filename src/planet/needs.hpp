@@ -54,12 +54,12 @@ struct Needs {
   int water_level = 0;          // icosphere level of the sea
   double water_lift = 0;  // by how much its mesh is raised, radii, or of nodes parts of the distance; never more than
                           // may be seen
-  double water_most_lift = 0;   // of the sea of nodes, radii
-  int ripple_layers = 0;  // of small waves as flow noise at every pixel of a calm sea, and of its crust
-  int cloud_level = 0;    // icosphere level of the shell of clouds
-  int cloud_octaves = 0;  // that the map of the clouds holds, the finest maybe in part
-  int cloud_pixel_first = 0;  // octaves of the clouds computed at every pixel, because the map can't show them whole:
-  int cloud_pixel_end = 0;    // [first, end); equal: none
+  double water_most_lift = 0;  // of the sea of nodes, radii
+  int ripple_layers = 0;       // of small waves as flow noise at every pixel of a calm sea, and of its crust
+  int cloud_level = 0;         // icosphere level of the shell of clouds
+  int cloud_octaves = 0;       // that the map of the clouds holds, the finest maybe in part
+  int cloud_pixel_first = 0;   // octaves of the clouds computed at every pixel, because the map can't show them whole:
+  int cloud_pixel_end = 0;     // [first, end); equal: none
   int cloud_texels = 0;
   double cloud_interval = 0.0;  // s between two pictures of the clouds, blended in between; 0: they do not change
   bool moving = false;          // something changes with time

@@ -65,8 +65,8 @@ double least_clearance(const Scene& scene) {
 double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   double surface = 1.0;
   if (ground_technique(scene) == Ground::quadtree) {
-    // Finer than a hundredth of the least height above it nothing matters.
-    surface = 1.0 + f64::terrain_height_at(direction, exact_terrain_of(scene), 0.01 * least_clearance(scene)).value;
+    constexpr double finest = 1e-11;  // a millimetre on the largest planet
+    surface = 1.0 + f64::terrain_height_at(direction, exact_terrain_of(scene), finest).value;
   } else if (has_ground(scene)) {
     const f32::Terrain terrain = terrain_of(scene);
     surface = std::max({exact_ground_radius(exact_terrain_of(scene), direction, 1e-7),
