@@ -1,5 +1,6 @@
-# cmake -DFOLDER=presets -DOUT=preset_texts.cpp -P preset_embed.cmake
-# Writes the presets as C++: first those named in order.txt, a name a line, then the others by name.
+# cmake -DFOLDER=presets -DREAL_SIZE=ON|OFF -DOUT=preset_texts.cpp -P preset_embed.cmake
+# Writes the presets as C++: first those named in order.txt, a name a line, then the others by name. REAL_SIZE OFF: without
+# those that real_size.txt names.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -15,6 +16,11 @@ if(EXISTS ${FOLDER}/order.txt)
   endforeach()
   list(PREPEND names ${order})
   list(REMOVE_DUPLICATES names)
+endif()
+
+if(NOT REAL_SIZE)
+  file(STRINGS ${FOLDER}/real_size.txt left_out)
+  list(REMOVE_ITEM names ${left_out})
 endif()
 
 set(texts "")

@@ -20,6 +20,9 @@ add_custom_command(OUTPUT ${scene_block}
   DEPENDS ${params} ${scripts}/scene_block.cmake VERBATIM)
 
 file(GLOB stages CONFIGURE_DEPENDS RELATIVE ${shaders} ${shaders}/*/*.vert ${shaders}/*/*.frag)
+if(NOT TERRELLA_REAL_SIZE)
+  list(FILTER stages EXCLUDE REGEX nodes)
+endif()
 set(checked "")
 foreach(stage IN LISTS stages)
   set(out ${generated}/shaders/${stage})
@@ -49,10 +52,11 @@ add_custom_command(OUTPUT ${TERRELLA_LIBRARY_TEXT}
   DEPENDS ${formulas} ${scripts}/library_embed.cmake ${scripts}/glsl.cmake VERBATIM)
 
 set(presets ${PROJECT_SOURCE_DIR}/presets)
-file(GLOB preset_files CONFIGURE_DEPENDS ${presets}/*.json ${presets}/order.txt)
+file(GLOB preset_files CONFIGURE_DEPENDS ${presets}/*.json ${presets}/*.txt)
 set(TERRELLA_PRESET_TEXTS ${generated}/preset_texts.cpp)
 add_custom_command(OUTPUT ${TERRELLA_PRESET_TEXTS}
-  COMMAND ${CMAKE_COMMAND} -DFOLDER=${presets} -DOUT=${TERRELLA_PRESET_TEXTS} -P ${scripts}/preset_embed.cmake
+  COMMAND ${CMAKE_COMMAND} -DFOLDER=${presets} -DREAL_SIZE=${TERRELLA_REAL_SIZE} -DOUT=${TERRELLA_PRESET_TEXTS}
+          -P ${scripts}/preset_embed.cmake
   DEPENDS ${preset_files} ${scripts}/preset_embed.cmake VERBATIM)
 
 set(TERRELLA_FONT_BYTES ${generated}/font_bytes.cpp)

@@ -64,14 +64,17 @@ void groups_side_by_side() {
   for (const KeyGroup& group : key_groups()) {
     if (group.of_fingers == by_finger()) groups.push_back(&group);
   }
-  const std::size_t rows = groups.size() / static_cast<std::size_t>(columns());
-  if (!ImGui::BeginTable("groups", columns(), ImGuiTableFlags_SizingStretchSame)) return;
-  ImGui::TableNextColumn();
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (i == rows && columns() > 1) ImGui::TableNextColumn();
-    lines_of(*groups[i]);
+  const auto count = static_cast<std::size_t>(columns());
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width =
+      (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+  for (std::size_t side = 0; side < count; ++side) {
+    if (side > 0) ImGui::SameLine();
+    ImGui::BeginChild(static_cast<ImGuiID>(1 + side), {width, 0.0F}, ImGuiChildFlags_AutoResizeY);
+    for (std::size_t i = side * groups.size() / count; i < (side + 1) * groups.size() / count; ++i)
+      lines_of(*groups[i]);
+    ImGui::EndChild();
   }
-  ImGui::EndTable();
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ void two_columns(float share, const std::function<void()>& left, const std::func
   ImGui::EndGroup();
   ImGui::PopTextWrapPos();
   ImGui::SameLine();
-  ImGui::SetCursorPosX(middle);  // SameLine would count from somewhere else in a table
+  ImGui::SetCursorPosX(middle);
   ImGui::BeginGroup();
   right();
   ImGui::EndGroup();

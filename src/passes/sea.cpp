@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "passes/node_meshes.hpp"
+#include "planet/real_size.hpp"
 
 namespace terrella {
 namespace {
@@ -31,7 +32,7 @@ WaveBlock wave_block(const Sea& sea) {
 SeaPass::SeaPass(Water technique, SphereMeshes& spheres) : technique_(technique), spheres_(spheres) {}
 
 void SeaPass::want(const Needs& needs) {
-  const bool over_nodes = needs.ground == Ground::quadtree;
+  const bool over_nodes = has_real_size && needs.ground == Ground::quadtree;
   if (!program_ || over_nodes != over_nodes_) {
     over_nodes_ = over_nodes;
     program_.emplace(over_nodes ? "water/nodes" : technique_ == Water::calm ? "water/calm" : "water/waves");
@@ -45,8 +46,10 @@ void SeaPass::want(const Needs& needs) {
 
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
   if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
-  const gl::Program& program = program_->use(frame.effort == Effort::complete);
-  ground->nodes()->draw(frame, program, NodeMeshes::Layer::sea);
+  if constexpr (has_real_size) {
+    const gl::Program& program = program_->use(frame.effort == Effort::complete);
+    ground->nodes()->draw(frame, program, NodeMeshes::Layer::sea);
+  }
 }
 
 void SeaPass::draw_sphere(const Frame& frame, std::span<const RadiusRange> ground) {

@@ -14,6 +14,7 @@
 #include "planet/materials.hpp"
 #include "planet/node_ranges.hpp"
 #include "planet/octaves.hpp"
+#include "planet/real_size.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/sun.hpp"
@@ -24,7 +25,7 @@ namespace terrella {
 namespace {
 
 // Places in the choice lists of params.inc.
-enum : int { model_none = 0, water_calm = 2, water_waves = 3, ground_icosphere = 2, ground_quadtree = 3 };
+enum : int { model_none = 0, model_auto = 1, water_calm = 2, water_waves = 3, ground_quadtree = 3 };
 
 // A planet that is large for who stands on it, and whose mountains are low beside it.
 constexpr double real_radius = 10e3, real_relief = 0.02;  // m; planet radii
@@ -97,7 +98,7 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
 }
 
 // Nodes, and what pixels add to their vertices.
-void decide_nodes(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
+[[maybe_unused]] void decide_nodes(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& terrain = scene.terrain;
   decide_fineness(needs, scene, pose);
   decide.add("ground.cells", needs.ground_cells, "along a side of a node: as few as quality.pixel_error allows");
@@ -123,7 +124,9 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
              : needs.ground == Ground::icosphere
                  ? "a miniature: one mesh shows all of it"
                  : "the planet is of real size: from 10 km of radius on, and mountains below a fiftieth of it");
-  if (needs.ground == Ground::quadtree) return decide_nodes(needs, scene, pose, decide);
+  if constexpr (has_real_size) {
+    if (needs.ground == Ground::quadtree) return decide_nodes(needs, scene, pose, decide);
+  }
 
   needs.ground_level = ground_level(scene);
   decide.add("ground.level", needs.ground_level,
@@ -348,12 +351,14 @@ std::string_view name_of(Stars technique) { return technique == Stars::none ? "n
 
 double texel_angle(int texels) { return 2.0 / texels; }
 
+bool asks_for_real_size(const Scene& scene) {
+  if (scene.terrain.model != model_auto) return scene.terrain.model == ground_quadtree;
+  return scene.planet.radius >= real_radius && scene.terrain.height <= real_relief * scene.planet.radius;
+}
+
 Ground ground_technique(const Scene& scene) {
   if (scene.terrain.model == model_none) return Ground::none;
-  if (scene.terrain.model == ground_icosphere) return Ground::icosphere;
-  if (scene.terrain.model == ground_quadtree) return Ground::quadtree;
-  const bool real = scene.planet.radius >= real_radius && scene.terrain.height <= real_relief * scene.planet.radius;
-  return real ? Ground::quadtree : Ground::icosphere;
+  return has_real_size && asks_for_real_size(scene) ? Ground::quadtree : Ground::icosphere;
 }
 
 int ground_level(const Scene& scene) {

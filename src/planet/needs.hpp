@@ -88,6 +88,9 @@ double footprint_below(const Scene& scene, const Pose& pose);
 // Distance of neighbouring texels in the middle of a cube map's face, rad.
 double texel_angle(int texels);
 
+// Whether a scene is to have a ground of nodes, which not all builds draw (has_real_size).
+bool asks_for_real_size(const Scene& scene);
+
 // How the ground is drawn, which depends on nothing but the scene.
 Ground ground_technique(const Scene& scene);
 

@@ -11,6 +11,7 @@
 #include "formulas/formulas.hpp"
 #include "planet/materials.hpp"
 #include "planet/needs.hpp"
+#include "planet/real_size.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -62,15 +63,27 @@ double least_clearance(const Scene& scene) {
   return std::min(of_nodes, metres / scene.planet.radius);
 }
 
+namespace {
+
+// Single precision, which tells places on an Earth 0.4 m apart, is enough for miniatures.
+double ground_below(const Scene& scene, const glm::dvec3& direction) {
+  constexpr double finest = 1e-11, finest_of_meshes = 1e-7;  // the first is a millimetre on the largest planet
+  if constexpr (has_real_size) {
+    const bool nodes = ground_technique(scene) == Ground::quadtree;
+    return exact_ground_radius(exact_terrain_of(scene), direction, nodes ? finest : finest_of_meshes);
+  } else {
+    return ground_radius(terrain_of(scene), direction, finest_of_meshes);
+  }
+}
+
+}  // namespace
+
 double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   double surface = 1.0;
-  if (ground_technique(scene) == Ground::quadtree) {
-    constexpr double finest = 1e-11;  // a millimetre on the largest planet
-    surface = 1.0 + f64::terrain_height_at(direction, exact_terrain_of(scene), finest).value;
-  } else if (has_ground(scene)) {
+  if (has_ground(scene)) surface = ground_below(scene, direction);
+  if (ground_technique(scene) == Ground::icosphere) {
     const f32::Terrain terrain = terrain_of(scene);
-    surface = std::max({exact_ground_radius(exact_terrain_of(scene), direction, 1e-7),
-                        drawn_ground_radius(terrain, direction, coarse_level),
+    surface = std::max({surface, drawn_ground_radius(terrain, direction, coarse_level),
                         drawn_ground_radius(terrain, direction, ground_level(scene))});
   }
   if (has_water(scene)) {

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "planet/icosphere.hpp"
+#include "planet/real_size.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
@@ -74,6 +75,12 @@ double missed_part(double cells_on_edge) {
 
 void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
   const auto& terrain = scene.terrain;
+  if (!has_real_size && needs.ground != Ground::none && asks_for_real_size(scene)) {
+    issues.push_back(
+        {"terrain.model",
+         "planets of real size are drawn by the desktop program only; here the ground near the eye is coarse."});
+    return;
+  }
   const bool relief = needs.ground == Ground::icosphere && terrain.octaves > 0;  // nodes grow as fine as it takes
   const double may_be_missed = scene.quality.pixel_error * pixel_of_height(pose);
   const double edge = icosphere_edge(needs.ground_level), most = most_cells_on_edge / edge;
