@@ -10,8 +10,8 @@
 namespace terrella {
 namespace {
 
-// For new nodes, in one frame of a picture that moves.
-constexpr double live_ms = 5.0, hurried_ms = 2.0;
+// For new nodes, in one frame of a picture that moves; while a parameter is dragged, which makes all of them anew.
+constexpr double live_ms = 5.0, hurried_ms = 10.0;
 
 // Of a pixel: skirts are no wider than what floats and the corners of pixels may leave open.
 constexpr double skirt_pixels = 0.7;
@@ -42,15 +42,19 @@ NodeMeshes::NodeMeshes() : cache_(node_slots) {}
 void NodeMeshes::start_anew(const Frame& frame) {
   relief_ = relief_of(frame.scene);
   terrain_ = exact_terrain_of(frame.scene);
-  cells_ = frame.needs.ground_cells;
   cache_.clear();
+  if (cells_ != frame.needs.ground_cells) make_room(frame.needs.ground_cells);
+}
+
+void NodeMeshes::make_room(int cells) {
+  cells_ = cells;
   for (std::size_t i = 0; i < textures_.size(); ++i) {
     const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
-    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(cells_), node_slots, format);
+    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(cells), node_slots, format);
   }
   std::vector<std::uint16_t> indices;
   for (unsigned coarser = 0; coarser < 16; ++coarser) {
-    const std::vector<std::uint16_t> list = node_triangles(cells_, coarser, true);
+    const std::vector<std::uint16_t> list = node_triangles(cells, coarser, true);
     lists_.at(coarser) = {indices.size(), list.size()};
     indices.insert(indices.end(), list.begin(), list.end());
   }

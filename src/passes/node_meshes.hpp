@@ -43,6 +43,8 @@ class NodeMeshes {
  private:
   // Forgets what was made for nodes of other cells or another relief.
   void start_anew(const Frame& frame);
+  // For nodes of so many cells: textures, and lists of triangles.
+  void make_room(int cells);
   void choose(const Frame& frame);
   // Makes those that are missing until they or the time (ms) come to an end.
   void make_missing(const Frame& frame, double time);
@@ -63,7 +65,7 @@ class NodeMeshes {
   int cells_ = 0;
   f64::Terrain terrain_{};
   std::array<std::unique_ptr<gl::Image>, 5> textures_;
-  std::array<Run, 17> lists_;  // of the triangles, by the sides with coarser neighbours; and the end
+  std::array<Run, 16> lists_;  // of the triangles, by the sides with coarser neighbours
   std::unique_ptr<gl::Instances> meshes_;
   std::array<std::array<Run, 16>, 2> runs_;  // of the layers
   std::vector<glm::vec4> instances_;
