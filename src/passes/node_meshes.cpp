@@ -63,6 +63,7 @@ void NodeMeshes::make_room(int cells) {
 
 void NodeMeshes::update(const Frame& frame) {
   noise_evaluations_ = 0;
+  is_full_ = false;  // another eye may leave room
   if (relief_ != relief_of(frame.scene) || cells_ != frame.needs.ground_cells) start_anew(frame);
   for (const QuadNode& root : root_nodes()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
