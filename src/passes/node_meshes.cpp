@@ -82,7 +82,8 @@ void NodeMeshes::update(const Frame& frame) {
 
 void NodeMeshes::choose(const Frame& frame) {
   cache_.begin_frame();
-  const NodeSight sight = node_sight(frame.pose, frame.view, {0, frame.view.height}, occluder_of(frame));
+  NodeSight sight = node_sight(frame.pose, frame.view, {0, frame.view.height}, occluder_of(frame));
+  if (frame.needs.water != Water::none) sight.sea = water_radius(frame.scene);
   choose_nodes(sight, eye_, ranges_of(frame.needs), cache_, choice_);
 }
 

@@ -101,9 +101,9 @@ class Choice {
 
   [[nodiscard]] bool is_seen(const NodeCache::Entry& entry) const {
     const NodeFrame& frame = entry.frame;
-    const double low = 1.0 + frame.heights.lowest, high = 1.0 + frame.heights.highest;
-    // Around the node's ground, from its lowest to its highest: between the corners the sphere bulges by what its arc
-    // rises.
+    const double low = 1.0 + frame.heights.lowest, high = std::max(1.0 + frame.heights.highest, sight_.sea);
+    // Around the node's ground and the sea over it, from its lowest to its highest: between the corners the sphere
+    // bulges by what its arc rises.
     const glm::dvec3 middle = 0.5 * (low + high) * frame.middle;
     const double width = frame.half_width * high;
     const double radius = std::hypot(width, 0.5 * (high - low) + 0.5 * frame.half_width * width);
@@ -118,7 +118,7 @@ class Choice {
   [[nodiscard]] bool behind_horizon(const NodeFrame& frame) const {
     const double r = sight_.occluder, distance = glm::length(sight_.eye);
     if (r <= 0.0 || distance <= r) return false;
-    const double top = std::max(1.0 + frame.heights.highest - r, 0.0);
+    const double top = std::max(std::max(1.0 + frame.heights.highest, sight_.sea) - r, 0.0);
     const double away = f64::angle_between(frame.middle, sight_.eye);
     return away > f64::hidden_angle(r, distance - r, top) + 2.0 * std::asin(std::min(0.5 * frame.half_width, 1.0));
   }

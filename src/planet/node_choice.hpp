@@ -15,6 +15,7 @@ struct NodeSight {
   glm::dvec3 eye;
   std::array<glm::dvec3, 4> sides;  // unit, inwards, of the planes through the eye
   double occluder;                  // radius of a sphere that hides what lies behind it
+  double sea = 0.0;                 // radius up to which a sea lies over lower ground; 0: there is none
 };
 
 // rows: of the picture.

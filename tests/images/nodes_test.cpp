@@ -83,6 +83,26 @@ TEST(NodesInPictures, LeaveNoHole) {
   EXPECT_GT(looked_at, cameras * 500);
 }
 
+// The sea lies far over its floor, which is what nodes are made of.
+TEST(NodesInPictures, ShowTheSeaFromCloseAboveIt) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  Scene scene = rugged(6.36e6);
+  scene.terrain.height = 100.0;
+  scene.terrain.ridged = false;
+  scene.water.model = 1;
+  scene.water.level = 850.0;
+  scene.water.ripples = 0.0;
+  scene.camera.altitude = 860.0;
+  scene.camera.pitch = 0.0;
+  const Image distance = take_measurement(renderer, scene, still(), Channel::distance);
+  // All below the horizon, which lies in the middle.
+  for (int y = height / 2 + 2; y < height; ++y) {
+    for (int x = 0; x < width; ++x) ASSERT_TRUE(std::isfinite(distance.at(x, y)[0])) << x << ", " << y;
+  }
+}
+
 // A walker's eye: nothing trembles. Distances along the same rays change in proportion to the steps, but for the rays
 // that come to another triangle.
 TEST(NodesInPictures, ShowEveryMillimetreOfAWalk) {
