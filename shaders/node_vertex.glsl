@@ -17,13 +17,16 @@ layout(location = 2) in vec4 node_along;   // xyz: middle less the eye's directi
 layout(location = 3) in vec4 node_sea;     // xyz: the middle at the sea's level, from the eye; w: the base's height over it
 layout(location = 4) in vec4 node_around;  // x: as DrawnNode's coarser; y, z: first layer of noise that the node's vertices don't hold whole, and its strength
 
+out vec4 node_slope;        // xyz: gradient of the height along the sphere; w: openness
+out vec3 node_height;       // x: over the water; y, z: Height's rise and ridges
+out vec2 node_held;         // x: distance of the level's vertices, rad; y: part of the level above
+flat out vec2 node_layers;  // x: first that the vertices don't hold whole; y: its strength, of that of the first of all
+
 struct NodeVertex {
-  vec3 place;     // from the node's centre
+  vec3 place;       // from the node's centre
   vec3 flat_place;  // from the middle on the unit sphere
   vec3 up;
-  float height;  // over the base
-  float part;    // of the level above, 0..1
-  vec3 skirt;    // what a skirt adds at this distance, before it is multiplied by it; 0 elsewhere
+  vec3 skirt;  // what a skirt adds for each unit of distance; 0 elsewhere
 };
 
 // On the rim, counted around from the corner where both are 0.
@@ -35,15 +38,10 @@ ivec2 place_on_rim(int n) {
   return ivec2(0, node_cells - along);
 }
 
-// Vertices beyond those of a node are its rim once more.
-bool hangs_from_rim() { return gl_VertexID >= (node_cells + 1) * (node_cells + 1); }
-
-ivec2 place_on_node() {
-  int row = node_cells + 1;
-  return hangs_from_rim() ? place_on_rim(gl_VertexID - row * row) : ivec2(gl_VertexID % row, gl_VertexID / row);
+// A vertex's place on the unit sphere, from the middle. vertex: as node_places has it.
+vec3 flat_place_of(vec4 vertex) {
+  return (vertex.xyz - vertex.w * node_middle.xyz) / (1.0 + node_middle.w + vertex.w);
 }
-
-ivec2 node_texel(ivec2 place) { return ivec2(place.y * (node_cells + 1) + place.x, int(node_centre.w)); }
 
 // Whether the vertex belongs to a node of the level above as well.
 bool meets_coarser(ivec2 place, int around) {
@@ -53,34 +51,29 @@ bool meets_coarser(ivec2 place, int around) {
   return (touched & around) != 0;
 }
 
+// Where the vertex is; tells pixels what it knows of the ground.
 NodeVertex node_vertex() {
-  bool hangs = hangs_from_rim();
-  ivec2 place = place_on_node();
-  ivec2 texel = node_texel(place);
+  // Vertices beyond those of a node are its rim once more.
+  int row = node_cells + 1, beyond = gl_VertexID - row * row;
+  ivec2 place = beyond >= 0 ? place_on_rim(beyond) : ivec2(gl_VertexID % row, gl_VertexID / row);
+  ivec2 texel = ivec2(place.y * row + place.x, int(node_centre.w));
   vec4 own = texelFetch(node_places, texel, 0);
-  NodeVertex v;
   // Of its own height, which all nodes agree on that share it.
-  vec3 flat_own = (own.xyz - own.w * node_middle.xyz) / (1.0 + node_middle.w + own.w);
-  vec3 chord = flat_own + node_along.xyz;
+  vec3 chord = flat_place_of(own) + node_along.xyz;
   float away = sqrt(node_morph.z + dot(chord, chord)) / node_along.w;
-  v.part = clamp((away - node_morph.x) / (node_morph.y - node_morph.x), 0.0, 1.0);
-  if (meets_coarser(place, int(node_around.x))) v.part = 1.0;
-  own += v.part * texelFetch(node_coarser, texel, 0);
+  float part = clamp((away - node_morph.x) / (node_morph.y - node_morph.x), 0.0, 1.0);
+  if (meets_coarser(place, int(node_around.x))) part = 1.0;
+  own += part * texelFetch(node_coarser, texel, 0);
+  vec4 rise = texelFetch(node_rises, texel, 0);
+  node_slope = texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
+  node_height = vec3(node_sea.w + own.w, rise.xy + part * rise.zw);
+  node_held = vec2(node_along.w / float(node_cells), part);
+  node_layers = node_around.yz;
+  NodeVertex v;
   v.place = own.xyz;
-  v.height = own.w;
-  v.flat_place = (own.xyz - own.w * node_middle.xyz) / (1.0 + node_middle.w + own.w);
+  v.flat_place = flat_place_of(own);
   v.up = normalize(node_middle.xyz + v.flat_place);
   // Down and out, so that it closes the finest gap from wherever one looks.
-  v.skirt = hangs ? node_morph.w * (normalize(v.flat_place) - v.up) : vec3(0.0);
+  v.skirt = beyond >= 0 ? node_morph.w * (normalize(v.flat_place) - v.up) : vec3(0.0);
   return v;
-}
-
-vec4 node_slope_at(float part) {
-  ivec2 texel = node_texel(place_on_node());
-  return texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
-}
-
-vec2 node_rise_at(float part) {
-  vec4 rise = texelFetch(node_rises, node_texel(place_on_node()), 0);
-  return rise.xy + part * rise.zw;
 }
