@@ -9,6 +9,7 @@
 
 #include "app/stats.hpp"
 #include "base/file.hpp"
+#include "base/milliseconds.hpp"
 #include "gl/caps.hpp"
 #include "native/egl_context.hpp"
 #include "native/failures.hpp"
@@ -103,10 +104,6 @@ PictureTask understand(const RenderOptions& options, Issues& issues) {
   refuse_for_path(options, issues);
   if (task.pfm && options.transparent) issues.add("--transparent", "is for pictures; give a file that ends in .png.");
   return task;
-}
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 // Frames as a window would draw them, each timed until its picture is there.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/milliseconds.hpp"
 #include "base/text.hpp"
 #include "gl/api.hpp"
 #include "measure/cost.hpp"
@@ -83,7 +84,7 @@ Findings examine(Renderer& renderer, const Case& entry, bool beside) {
   found.over_cost = beyond(renderer.stats(), promised_cost(renderer.needs(), entry.view, bytes_a_pixel));
   if (beside) found.reference = compared(renderer, entry);
   found.gl_error = take_gl_error();
-  found.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  found.milliseconds = milliseconds_since(start);
   return found;
 }
 

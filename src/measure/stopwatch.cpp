@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "base/milliseconds.hpp"
+
 namespace terrella {
 
 Stopwatch::Stopwatch() {
@@ -19,7 +21,7 @@ double Stopwatch::time(const std::function<void()>& draw) {
   const auto start = std::chrono::steady_clock::now();
   draw();
   glFinish();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return milliseconds_since(start);
 }
 
 }  // namespace terrella
