@@ -60,7 +60,6 @@ void add_nodes(Sum& sum, const Needs& needs) {
   sum.draw(layers * node_slots * triangles, 16 * layers);
   for (const int texel_bytes : {16, 16, 8, 8, 8}) sum.texels(vertices * node_slots, texel_bytes);
   sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + 16 * 6 * triangles);
-  sum.cube(1, 8);
 }
 
 void add_ground(Sum& sum, const Needs& needs) {

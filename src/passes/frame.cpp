@@ -56,8 +56,7 @@ RadiusRange water_range(const Frame& frame) {
 
 double lowest_still_water(const Frame& frame) {
   if (frame.needs.water == Water::none) return 0.0;
-  const double lift = frame.needs.ground == Ground::quadtree ? 0.0 : frame.needs.water_lift;
-  return (water_radius(frame.scene) + lift) * (1.0 - icosphere_sag(frame.needs.water_level));
+  return (water_radius(frame.scene) + frame.needs.water_lift) * (1.0 - icosphere_sag(frame.needs.water_level));
 }
 
 double map_level(const Frame& frame, double radius, double texel) {

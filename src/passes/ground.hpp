@@ -17,20 +17,20 @@ class GroundPass {
   virtual ~GroundPass() = default;
 
   // Work for a scene that can be done while programs compile.
-  virtual void begin(const Scene& scene, const Needs& needs) = 0;
+  virtual void begin(const Scene&, const Needs&) {}
 
   // Starts to compile the programs that the needs call for.
-  virtual void want(const Needs& needs) = 0;
+  virtual void want(const Needs&) {}
   // True once drawing will not wait for them.
   virtual bool ready() = 0;
 
   // Brings what is drawn up to date, as far as the frame's effort allows. Needs the scene's uniform block.
   virtual void update(const Frame& frame) = 0;
 
-  // Its map, where it has one that other passes read; level: of the mipmap that they read.
-  virtual void bind_map(double level) = 0;
-  // Distance of the texels of that map, rad; 0 where there is none.
-  [[nodiscard]] virtual double map_texel_angle() const = 0;
+  // Distance of the texels of its map, rad; 0: it has none.
+  [[nodiscard]] virtual double map_texel_angle() const { return 0.0; }
+  // Makes the map readable by all passes. level: of its mipmap that they read.
+  virtual void bind_map(double) {}
 
   virtual void draw(const Frame& frame) = 0;
 

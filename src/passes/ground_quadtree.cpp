@@ -4,8 +4,6 @@
 
 namespace terrella {
 
-void GroundQuadtree::bind_map(double) { no_map_.bind(gl::unit_ground); }
-
 void GroundQuadtree::draw(const Frame& frame) {
   const LayerBlock block = layer_block(frame.scene, frame.pose, 0);
   layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));

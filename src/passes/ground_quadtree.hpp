@@ -10,12 +10,8 @@ namespace terrella {
 
 class GroundQuadtree : public GroundPass {
  public:
-  void begin(const Scene&, const Needs&) override {}
-  void want(const Needs&) override {}
   bool ready() override { return program_.ready(); }
   void update(const Frame& frame) override { nodes_.update(frame); }
-  void bind_map(double) override;
-  [[nodiscard]] double map_texel_angle() const override { return texel_angle(1); }
   void draw(const Frame& frame) override;
   [[nodiscard]] const NodeMeshes* nodes() const override { return &nodes_; }
   [[nodiscard]] bool settled() const override { return nodes_.settled(); }
@@ -24,7 +20,6 @@ class GroundQuadtree : public GroundPass {
  private:
   gl::Program program_{"ground/nodes"};
   gl::UniformBuffer layers_;
-  gl::CubeMap no_map_{1, gl::Format::rgba16f};
   NodeMeshes nodes_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/milliseconds.hpp"
 #include "planet/octaves.hpp"
 #include "planet/spheres.hpp"
 
@@ -15,10 +16,6 @@ constexpr double live_ms = 5.0, hurried_ms = 10.0;
 
 // Of a pixel: skirts are no wider than what floats and the corners of pixels may leave open.
 constexpr double skirt_pixels = 0.7;
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 double time_for(Effort effort) {
   switch (effort) {
@@ -89,8 +86,8 @@ void NodeMeshes::choose(const Frame& frame) {
 
 void NodeMeshes::make_missing(const Frame& frame, double time) {
   const auto start = std::chrono::steady_clock::now();
-  for (const QuadNode& node : choice_.missing) {
-    if (milliseconds_since(start) >= time || !make(frame.scene, node)) return;
+  for (const MissingNode& missing : choice_.missing) {
+    if (milliseconds_since(start) >= time || !make(frame.scene, missing.node)) return;
   }
 }
 

@@ -33,20 +33,22 @@ std::size_t NodeCache::oldest() const {
   return static_cast<std::size_t>(found - entries_.begin());
 }
 
-bool NodeCache::has_room() const { return entries_.size() < capacity_ || entries_[oldest()].used < now_; }
+std::optional<std::size_t> NodeCache::free_slot() const {
+  if (entries_.size() < capacity_) return entries_.size();
+  const std::size_t slot = oldest();
+  return entries_[slot].used < now_ ? std::optional(slot) : std::nullopt;
+}
 
 std::optional<int> NodeCache::insert(const QuadNode& node, const NodeFrame& frame) {
-  if (!has_room()) return std::nullopt;
-  std::size_t slot = entries_.size();
-  if (slot < capacity_) {
+  const std::optional<std::size_t> slot = free_slot();
+  if (!slot) return std::nullopt;
+  if (*slot == entries_.size()) {
     entries_.emplace_back();
   } else {
-    slot = oldest();
-    slots_.erase(key_of(entries_[slot].node));
+    slots_.erase(key_of(entries_[*slot].node));
   }
-  entries_[slot] = {node, frame, now_, 0};
-  slots_[key_of(node)] = static_cast<int>(slot);
-  return static_cast<int>(slot);
+  entries_[*slot] = {node, frame, now_, 0};
+  return slots_[key_of(node)] = static_cast<int>(*slot);
 }
 
 void NodeCache::clear() {

@@ -38,12 +38,13 @@ class NodeCache {
   // where all are used in this frame.
   std::optional<int> insert(const QuadNode& node, const NodeFrame& frame);
   // Whether insert would find a slot.
-  [[nodiscard]] bool has_room() const;
+  [[nodiscard]] bool has_room() const { return free_slot().has_value(); }
 
   void clear();
 
  private:
   [[nodiscard]] std::size_t oldest() const;
+  [[nodiscard]] std::optional<std::size_t> free_slot() const;
 
   std::vector<Entry> entries_;
   std::size_t capacity_;

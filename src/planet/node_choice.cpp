@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -27,7 +28,7 @@ class Choice {
       const double wanted = node.level < ranges_.deepest ? ranges_.split * node_edge(node.level) : 0.0;
       bool splits = distance < wanted;
       if (distance < look_ahead * wanted) splits = has_quarters(node, distance) && splits;
-      splits = splits && !borders_on_coarser(node);
+      splits = splits && coarser_around(node) == 0;
       if (splits) {
         add_quarters(node);
       } else {
@@ -73,8 +74,7 @@ class Choice {
         continue;
       }
       all = false;
-      choice_.missing.push_back(child);
-      choice_.far.push_back(distance);
+      choice_.missing.push_back({child, distance});
     }
     return all;
   }
@@ -97,11 +97,14 @@ class Choice {
     return leaves_by_x ? across(across(node, along_y), along_x) : across(across(node, along_x), along_y);
   }
 
-  [[nodiscard]] bool borders_on_coarser(const QuadNode& node) const { return coarser_around(node) != 0; }
+  // Radius of the highest of ground and sea over a node.
+  [[nodiscard]] double top_of(const NodeFrame& frame) const {
+    return std::max(1.0 + frame.heights.highest, sight_.sea);
+  }
 
   [[nodiscard]] bool is_seen(const NodeCache::Entry& entry) const {
     const NodeFrame& frame = entry.frame;
-    const double low = 1.0 + frame.heights.lowest, high = std::max(1.0 + frame.heights.highest, sight_.sea);
+    const double low = 1.0 + frame.heights.lowest, high = top_of(frame);
     // Around the node's ground and the sea over it, from its lowest to its highest: between the corners the sphere
     // bulges by what its arc rises.
     const glm::dvec3 middle = 0.5 * (low + high) * frame.middle;
@@ -118,7 +121,7 @@ class Choice {
   [[nodiscard]] bool behind_horizon(const NodeFrame& frame) const {
     const double r = sight_.occluder, distance = glm::length(sight_.eye);
     if (r <= 0.0 || distance <= r) return false;
-    const double top = std::max(std::max(1.0 + frame.heights.highest, sight_.sea) - r, 0.0);
+    const double top = std::max(top_of(frame) - r, 0.0);
     const double away = f64::angle_between(frame.middle, sight_.eye);
     return away > f64::hidden_angle(r, distance - r, top) + 2.0 * std::asin(std::min(0.5 * frame.half_width, 1.0));
   }
@@ -129,18 +132,6 @@ class Choice {
   NodeCache& cache_;
   NodeChoice& choice_;
 };
-
-void sort_missing(NodeChoice& choice) {
-  // Few, and mostly of one level: by insertion, so that both lists stay together without memory of their own.
-  for (std::size_t i = 1; i < choice.missing.size(); ++i) {
-    for (std::size_t j = i; j > 0; --j) {
-      const QuadNode &a = choice.missing[j - 1], &b = choice.missing[j];
-      if (a.level < b.level || (a.level == b.level && choice.far[j - 1] <= choice.far[j])) break;
-      std::swap(choice.missing[j - 1], choice.missing[j]);
-      std::swap(choice.far[j - 1], choice.far[j]);
-    }
-  }
-}
 
 }  // namespace
 
@@ -171,7 +162,6 @@ void choose_nodes(const NodeSight& sight, const NodeEye& eye, const NodeRanges& 
                   NodeChoice& choice) {
   choice.drawn.clear();
   choice.missing.clear();
-  choice.far.clear();
   choice.level.clear();
   choice.next.clear();
   Choice chooser(sight, eye, ranges, cache, choice);
@@ -180,7 +170,9 @@ void choose_nodes(const NodeSight& sight, const NodeEye& eye, const NodeRanges& 
   // Level by level, so that each node knows what its neighbours above have become.
   while (!choice.level.empty()) chooser.pass_level();
   for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarser_around(cache.at(drawn.slot).node);
-  sort_missing(choice);
+  std::sort(choice.missing.begin(), choice.missing.end(), [](const MissingNode& a, const MissingNode& b) {
+    return std::tie(a.node.level, a.distance) < std::tie(b.node.level, b.distance);
+  });
 }
 
 }  // namespace terrella

@@ -27,14 +27,18 @@ struct DrawnNode {
                      // bits 4..7: one across a corner, that where x and y are least, x is most, y is most, both are
 };
 
+struct MissingNode {
+  QuadNode node;
+  double distance;  // of the node that it is a quarter of
+};
+
 // Room for a frame's work, so that none is allocated again.
 struct NodeChoice {
   std::vector<DrawnNode> drawn;
-  std::vector<QuadNode> missing;  // what the picture lacks to be as fine as it should be; the coarsest first, and of a
-                                  // level the nearest
+  std::vector<MissingNode> missing;  // what the picture lacks to be as fine as it should be; the coarsest first, and
+                                     // of a level the nearest
 
   std::vector<int> level, next;  // slots of nodes of a level while it is looked through
-  std::vector<double> far;       // how far each of the missing is
 };
 
 // All nodes of a sphere undivided. They must be in the cache before any are chosen.

@@ -1,7 +1,6 @@
 #include "planet/node_mesh.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <glm/geometric.hpp>
 

@@ -27,8 +27,8 @@ NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose) {
       nearest = std::min(nearest, std::sqrt(above * above + 4.0 * distance * (1.0 + height) * half * half));
     }
   }
-  const double stretch = std::sqrt(std::max(distance, 1.0));
-  return {up, nearest / stretch, stretch};
+  // From afar a chord is seen under a greater angle than its distance tells, by the root of this.
+  return {up, nearest / std::sqrt(std::max(distance, 1.0))};
 }
 
 }  // namespace terrella

@@ -17,7 +17,6 @@ namespace terrella {
 struct NodeEye {
   glm::dvec3 direction{0.0};  // unit
   double lift = 0.0;
-  double stretch = 1.0;  // true distance of what lies below, as a multiple of the lift
 };
 
 // From heights around the place below the eye.

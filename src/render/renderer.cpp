@@ -98,7 +98,7 @@ double Renderer::prepare(const Scene& scene, const View& view, Effort effort) {
   if (only_air_) return 1.0;  // two small programs are sooner waited for than asked for again and again
   // The driver compiles meanwhile; to ask it for anything is to wait for it.
   if (ground_) ground_->begin(scene, needs_);
-  if (water_) spheres_.directions(needs_.water_level);
+  if (water_ && needs_.ground != Ground::quadtree) spheres_.directions(needs_.water_level);
   return ready();
 }
 
@@ -216,7 +216,7 @@ void Renderer::update_slots(const Frame& frame) {
 
 void Renderer::set_maps(const Frame& frame) {
   Maps maps;
-  if (ground_) {
+  if (ground_ && ground_->map_texel_angle() > 0.0) {
     maps.ground_texel = ground_->map_texel_angle();
     maps.ground_level = map_level(frame, 1.0, maps.ground_texel);
     ground_->bind_map(maps.ground_level);

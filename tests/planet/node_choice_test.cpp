@@ -75,7 +75,7 @@ class Nodes {
       cache_.begin_frame();
       choose_nodes(sight, eye_, ranges_, cache_, choice_);
       if (choice_.missing.empty()) return;
-      for (const QuadNode& node : choice_.missing) {
+      for (const auto& [node, distance] : choice_.missing) {
         if (some == nullptr || some->between(0.0, 1.0) < 0.7) make(node);
       }
     }
