@@ -8,16 +8,17 @@
 namespace terrella {
 namespace {
 
-// How far the mean of the layers may be from what samples say: by their slope, and by what was left out.
-double change_of_layers(const f64::Terrain& terrain, double footprint, double apart) {
-  const double steepest = (terrain.ridged ? 1.2 : 0.5) * noise_slope;  // of layer_value, per cell
+// How far the mean of layers, from the first on, may be from what samples say: by their slope, and by what was left
+// out.
+double change_of_layers(const f64::Terrain& terrain, int first, bool ridged, double footprint, double apart) {
+  const double steepest = (ridged ? 1.2 : 0.5) * noise_slope;  // of layer_value, per cell
   double change = 0.0, amplitude = 1.0, total = 0.0, frequency = terrain.frequency;
-  for (int i = 0; i < terrain.octaves; ++i) {
+  for (int i = 0; i < terrain.octaves; ++i, frequency *= terrain.lacunarity) {
+    if (i < first) continue;
     const double left_out = 1.0 - f64::layer_weight(frequency, footprint);
     change += amplitude * std::min(noise_range, steepest * frequency * apart + 0.75 * left_out);
     total += amplitude;
     amplitude *= terrain.persistence;
-    frequency *= terrain.lacunarity;
   }
   return total > 0.0 ? change / total : 0.0;
 }
@@ -36,28 +37,15 @@ double change_by_craters(const f64::Craters& craters, double footprint, double a
   return change;
 }
 
-// The same of the mean of the ridges of ranges.
-double change_of_ridges(const f64::Terrain& terrain, double footprint, double apart) {
-  double change = 0.0, amplitude = 1.0, total = 0.0, frequency = terrain.frequency;
-  for (int i = 0; i < terrain.octaves; ++i, frequency *= terrain.lacunarity) {
-    if (i < terrain.ranges.first) continue;
-    const double left_out = 1.0 - f64::layer_weight(frequency, footprint);
-    change += amplitude * std::min(noise_range, 1.2 * noise_slope * frequency * apart + 0.75 * left_out);
-    total += amplitude;
-    amplitude *= terrain.persistence;
-  }
-  return total > 0.0 ? change / total : 0.0;
-}
-
 // Where ranges stand, heights do not tell the layers: by the steepest that each part can be.
 HeightRange change_with_ranges(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart,
-                               double change_of_layers) {
+                               double of_layers) {
   constexpr double steepest_cover = 6.0, steepest_cube = 3.0;
-  const double ridges = change_of_ridges(terrain, footprint, apart);
+  const double ridges = change_of_layers(terrain, terrain.ranges.first, true, footprint, apart);
   // A power below 1 is steepest at 0, and there nowhere above 1.
-  const double smooth = std::min(std::max(terrain.power, 1.0) * change_of_layers, 1.0);
-  const double ranges = std::min(steepest_cover * change_of_layers + steepest_cube * ridges, 1.0);
-  const double power_below_one = terrain.power < 1.0 ? std::pow(change_of_layers, terrain.power) : smooth;
+  const double smooth = std::min(std::max(terrain.power, 1.0) * of_layers, 1.0);
+  const double ranges = std::min(steepest_cover * of_layers + steepest_cube * ridges, 1.0);
+  const double power_below_one = terrain.power < 1.0 ? std::pow(of_layers, terrain.power) : smooth;
   const double change =
       terrain.height * ((1.0 - terrain.ranges.part) * std::max(smooth, power_below_one) + terrain.ranges.part * ranges);
   return {std::max(computed.lowest - change, 0.0), std::min(computed.highest + change, terrain.height)};
@@ -75,7 +63,7 @@ HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& compu
   HeightRange range = computed;
   if (terrain.octaves > 0 && terrain.height > 0.0 && terrain.power > 0.0) {
     // In the sum of layers, before the power that makes plains flat: there changes are the same at any height.
-    double change = change_of_layers(terrain, footprint, apart);
+    double change = change_of_layers(terrain, 0, terrain.ridged, footprint, apart);
     if (terrain.craters.depth > 0.0) change += change_by_craters(terrain.craters, footprint, apart) / terrain.height;
     const auto changed = [&](double height, double by) {
       const double layers = std::pow(std::clamp(height / terrain.height, 0.0, 1.0), 1.0 / terrain.power);

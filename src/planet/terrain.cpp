@@ -91,16 +91,16 @@ double unseen_heights(const Scene& scene, double footprint, double finer) {
   constexpr double smooth_layer = 0.5 * 0.38, ridged_layer = 0.23;
   const auto& terrain = scene.terrain;
   const double layer = terrain.ridged ? ridged_layer : smooth_layer;
-  double lost = 0.0, lost_ridges = 0.0, amplitude = 1.0, ridges = 1.0, all_ridges = 0.0, frequency = terrain.frequency;
+  double lost = 0.0, lost_ridges = 0.0, amplitude = 1.0, all_ridges = 0.0, frequency = terrain.frequency;
   for (int i = 0; i < terrain.octaves; ++i) {
     const double unseen = f64::layer_weight(frequency, finer) - f64::layer_weight(frequency, footprint);
     lost += std::pow(unseen * amplitude * layer, 2.0);
+    if (i >= terrain.range_layer) {
+      lost_ridges += std::pow(unseen * amplitude * ridged_layer, 2.0);
+      all_ridges += amplitude;
+    }
     amplitude *= terrain.persistence;
     frequency *= terrain.lacunarity;
-    if (i < terrain.range_layer) continue;
-    lost_ridges += std::pow(unseen * ridges * ridged_layer, 2.0);
-    all_ridges += ridges;
-    ridges *= terrain.persistence;
   }
   const double total = f64::amplitude_sum(terrain.persistence, terrain.octaves);
   if (total <= 0.0) return 0.0;

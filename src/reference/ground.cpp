@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planet/height_bounds.hpp"
 #include "planet/noise_bounds.hpp"
 #include "planet/terrain.hpp"
 #include "reference/first_hit.hpp"
@@ -44,8 +45,11 @@ constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls;
 Ground::Ground(const Scene& scene, double footprint)
     : terrain_(exact_terrain_of(scene)), footprint_(std::max(footprint, 0.25 / finest)) {
   total_ = f64::amplitude_sum(terrain_.persistence, terrain_.octaves);
-  if (terrain_.ranges.part > 0.0 && (terrain_.persistence > 0.0 || terrain_.ranges.first == 0))
-    total_ridges_ = f64::amplitude_sum(terrain_.persistence, std::max(terrain_.octaves - terrain_.ranges.first, 0));
+  first_ridges_ = std::pow(terrain_.persistence, terrain_.ranges.first);
+  if (terrain_.ranges.part > 0.0) {
+    const int layers = std::max(terrain_.octaves - terrain_.ranges.first, 0);
+    total_ridges_ = first_ridges_ * f64::amplitude_sum(terrain_.persistence, layers);
+  }
   highest_ = 1.0 + (terrain_.octaves > 0 ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
     highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + f64::ice_thickness);
@@ -108,10 +112,6 @@ Range Ground::craters_around(const glm::dvec3& direction, double chord, double f
   return {scale * dug.least, scale * dug.most};
 }
 
-bool Ground::ice_around(const glm::dvec3& direction, double chord) const {
-  return terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0 && std::abs(direction.z) + chord > terrain_.ice.sine - 0.08;
-}
-
 Range Ground::heights_of(const Range& means) const {
   const auto height = [&](double mean) {
     return f64::height_power(mean, (1.0 - terrain_.ranges.part) * terrain_.height, terrain_.power);
@@ -127,13 +127,14 @@ Range Ground::ranges_over(const Range& means, const Range& ridges) const {
 }
 
 Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
-  const double ice = ice_around(direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
+  const double ice = may_freeze(terrain_.ice, direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
   if (terrain_.octaves == 0 || terrain_.height <= 0.0) return {0.0, ice};
   if (terrain_.power == 0.0 && total_ridges_ == 0.0) return {terrain_.height, std::max(terrain_.height, ice)};
   const f64::Craters& craters = terrain_.craters;
   PartialSum layers, ridges;
   layers.unknown = total_;
   ridges.unknown = total_ridges_;
+  ridges.amplitude = first_ridges_;
   Range dug = {0.0, 0.0}, heights;
   double undug = crater_cells_, frequency = terrain_.frequency, crater_frequency = craters.frequency;
   for (int i = 0;; ++i) {

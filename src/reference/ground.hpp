@@ -42,12 +42,12 @@ class Ground {
   // From the means of all layers, 0..1: without ranges, and what those add; ridges: of them, 0..1.
   [[nodiscard]] Range heights_of(const Range& means) const;
   [[nodiscard]] Range ranges_over(const Range& means, const Range& ridges) const;
-  [[nodiscard]] bool ice_around(const glm::dvec3& direction, double chord) const;
 
   f64::Terrain terrain_;
   double footprint_;
   double total_;               // of the amplitudes of the layers
-  double total_ridges_ = 0.0;  // of those that are ridged for ranges as well
+  double first_ridges_ = 0.0;  // amplitude of the first that is ridged for ranges as well
+  double total_ridges_ = 0.0;  // of all of those
   double highest_;             // radius
   double crater_cells_ = 0.0;  // their depth times the width of a cell, summed over all sizes, radii
 };
