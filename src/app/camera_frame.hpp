@@ -2,6 +2,10 @@
 // Lengths in planet radii, angles in rad unless they are said to be degrees.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -39,6 +43,21 @@ void look(Scene& scene, const View& view, glm::dvec2 pixels);
 
 // Takes the roll back, most of it within some seconds.
 void level_roll(Scene& scene, double within, double dt);
+
+// The way within dt (s) of a motion that comes to what is wished by `ease` (1/s), and the motion after it. Its integral
+// is exact, so that a way does not depend on the frames it is shown in.
+template <class Vector>
+Vector eased_way(Vector& motion, const Vector& wish, double ease, double dt) {
+  const Vector missing = motion - wish;
+  motion = wish + missing * std::exp(-ease * dt);
+  return dt * wish + missing * (-std::expm1(-ease * dt) / ease);
+}
+
+// No longer than 1, as keys pushed together would be.
+template <class Vector>
+Vector held_to_one(const Vector& wish) {
+  return wish / std::max(1.0, glm::length(wish));
+}
 
 // Degrees: the pitch that shows most at a height: down at the planet from afar, along the ground close by.
 double natural_pitch(double clearance);

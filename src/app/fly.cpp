@@ -41,11 +41,6 @@ glm::dvec3 over_planet(const Scene& scene, const glm::dvec3& motion) {
   return motion.x * right + motion.y * forward + glm::dvec3(0.0, 0.0, motion.z);
 }
 
-glm::dvec3 wish_of(const Push& push) {
-  const glm::dvec3 wish(push.right, push.ahead, push.up);
-  return wish / std::max(1.0, glm::length(wish));
-}
-
 }  // namespace
 
 void Fly::look(Scene& scene, const View& view, glm::dvec2 pixels) { turn(scene, turn_of(scene, view, pixels)); }
@@ -57,10 +52,8 @@ void Fly::step(Scene& scene, const Push& push, double dt) {
   scene.camera.roll = wrapped(scene.camera.roll + key_turn * push.turn * dt);
   if (push.tilt != 0.0) turn(scene, glm::dvec2(1.0, -1.0) * levelled(scene, {0.0, -key_turn * push.tilt * dt}));
 
-  // Both integrals are exact, so that a flight does not depend on the frames it is shown in.
-  const glm::dvec3 wish = wish_of(push), missing = motion_ - wish;
-  const glm::dvec3 way = over_planet(scene, dt * wish + missing * (-std::expm1(-ease * dt) / ease));
-  motion_ = wish + missing * std::exp(-ease * dt);
+  const glm::dvec3 wish = held_to_one(glm::dvec3(push.right, push.ahead, push.up));
+  const glm::dvec3 way = over_planet(scene, eased_way(motion_, wish, ease, dt));
   if (wish == glm::dvec3(0.0) && glm::length(motion_) < rest) stop();
   if (way == glm::dvec3(0.0)) return;
 

@@ -68,13 +68,11 @@ bool stands_on_ground(const Scene& scene) {
   return std::abs(feet_of(scene) - ground_at(scene)) < 1e-3 * eye_height(scene);
 }
 
-// The way within a step. Its integral is exact, so that a walk does not depend on the frames it is shown in.
+// The way within a step.
 glm::dvec2 Walk::gather_way(const Push& push, double metre, double dt) {
-  const glm::dvec2 wished(push.right, push.ahead);
   const double speed = metre * (push.fast ? running : walking);
-  const glm::dvec2 wish = speed / std::max(1.0, glm::length(wished)) * wished, missing = velocity_ - wish;
-  const glm::dvec2 way = dt * wish + missing * (-std::expm1(-ease * dt) / ease);
-  velocity_ = wish + missing * std::exp(-ease * dt);
+  const glm::dvec2 wish = speed * held_to_one(glm::dvec2(push.right, push.ahead));
+  const glm::dvec2 way = eased_way(velocity_, wish, ease, dt);
   if (wish == glm::dvec2(0.0) && glm::length(velocity_) < rest * metre * walking) velocity_ = glm::dvec2(0.0);
   return way;
 }

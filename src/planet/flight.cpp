@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -15,10 +16,7 @@ namespace {
 
 constexpr double least_angle = 1e-12;  // rad; closer places, or antipodes, have no great circle that one could tell
 
-double eased(double part) {
-  const double p = std::clamp(part, 0.0, 1.0);
-  return p * p * (3.0 - 2.0 * p);
-}
+double eased(double part) { return glm::smoothstep(0.0, 1.0, part); }
 
 double magnification(double fov) { return 1.0 / std::tan(0.5 * glm::radians(fov)); }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include "base/check.hpp"
 
 namespace terrella {
@@ -26,13 +28,11 @@ std::vector<double> times_of(std::span<const PathView> views, const std::vector<
   return times;
 }
 
-double smooth_step(double x) { return x * x * (3.0 - 2.0 * x); }
-
 // A cubic from 0 to 1 with these slopes at its ends (0 or 1), and straight on beyond them.
 double part_between(double x, double slope_at_start, double slope_at_end) {
   if (x < 0.0) return slope_at_start * x;
   if (x > 1.0) return 1.0 + slope_at_end * (x - 1.0);
-  return smooth_step(x) + x * (1.0 - x) * (slope_at_start * (1.0 - x) - slope_at_end * x);
+  return glm::smoothstep(0.0, 1.0, x) + x * (1.0 - x) * (slope_at_start * (1.0 - x) - slope_at_end * x);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ double Journey::part_of(std::size_t flight, double seconds) const {
 Camera Journey::passing(std::size_t view, double seconds) const {
   const Step before = flights_[view - 1].from_end(part_of(view - 1, seconds));
   const Step after = flights_[view].from_start(part_of(view, seconds));
-  const double share = smooth_step(0.5 + 0.5 * (seconds - times_[view]) / around(view));
+  const double share = glm::smoothstep(0.0, 1.0, 0.5 + 0.5 * (seconds - times_[view]) / around(view));
   return camera_at(facing_of(flights_[view].from()), between(before, after, share), radius_);
 }
 

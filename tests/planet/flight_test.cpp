@@ -72,6 +72,14 @@ bool is_allowed(const Camera& of) {
   return true;
 }
 
+// Of a flight, often to the antipode.
+std::pair<Camera, Camera> any_ends(test::Places& places, bool antipodes) {
+  const Camera from = any_camera(places, 1.0);
+  Camera to = any_camera(places, 1.0);
+  if (antipodes) to.latitude = -from.latitude, to.longitude = std::remainder(from.longitude + 180.0, 360.0);
+  return {from, to};
+}
+
 TEST(Flight, BeginsAndEndsExactlyAtItsViews) {
   test::Places places(1U);
   for (const double radius : {1.0, 6.371e6}) {
@@ -157,9 +165,7 @@ TEST(Flight, IsContinuous) {
   test::Places places(4U);
   const Scene scene;
   for (int i = 0; i < 60; ++i) {
-    const Camera from = any_camera(places, 1.0);
-    Camera to = any_camera(places, 1.0);
-    if (i % 3 == 0) to.latitude = -from.latitude, to.longitude = std::remainder(from.longitude + 180.0, 360.0);
+    const auto [from, to] = any_ends(places, i % 3 == 0);
     const Flight flight(scene, from, to);
     for (int n = 0; n < 40; ++n) {
       const double part = n == 0 ? 0.5 : places.between(1e-6, 1.0 - 1e-6);
@@ -172,9 +178,7 @@ TEST(Flight, IsTheSameThereAndBack) {
   test::Places places(5U);
   const Scene scene;
   for (int i = 0; i < 60; ++i) {
-    const Camera from = any_camera(places, 1.0);
-    Camera to = any_camera(places, 1.0);
-    if (i % 3 == 0) to.latitude = -from.latitude, to.longitude = std::remainder(from.longitude + 180.0, 360.0);
+    const auto [from, to] = any_ends(places, i % 3 == 0);
     const Flight there(scene, from, to), back(scene, to, from);
     EXPECT_NEAR(there.length(), back.length(), 1e-9);
     for (int n = 0; n <= 10; ++n) EXPECT_LT(apart(there.at(0.1 * n), back.at(1.0 - 0.1 * n), 1.0), 1e-6);
