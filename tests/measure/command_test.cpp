@@ -9,25 +9,15 @@
 
 #include "base/text.hpp"
 #include "native/cmd_measure.hpp"
+#include "run_command.hpp"
 #include "sanitized.hpp"
 
 namespace terrella {
 namespace {
 
-struct Outcome {
-  int code;
-  std::string said;
-};
+using test::Outcome;
 
-Outcome run(const std::string& line) {
-  CLI::App program;
-  Outcome outcome{0, {}};
-  add_measure_command(program, outcome.code);
-  testing::internal::CaptureStderr();
-  program.parse(line);
-  outcome.said = testing::internal::GetCapturedStderr();
-  return outcome;
-}
+Outcome run(const std::string& line) { return test::run_command(add_measure_command, line); }
 
 // An old report, or what somebody takes for one; gone with its owner.
 class OldReport {

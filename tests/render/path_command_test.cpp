@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "native/cmd_render.hpp"
 #include "native/picture_series.hpp"
+#include "run_command.hpp"
 #include "scene/json.hpp"
 
 namespace terrella {
@@ -19,20 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code;
-  std::string said;
-};
+using test::Outcome;
 
-Outcome run(const std::string& line) {
-  CLI::App program;
-  Outcome outcome{0, {}};
-  add_render_command(program, outcome.code);
-  testing::internal::CaptureStderr();
-  program.parse(line);
-  outcome.said = testing::internal::GetCapturedStderr();
-  return outcome;
-}
+Outcome run(const std::string& line) { return test::run_command(add_render_command, line); }
 
 constexpr const char* two_views =
     R"({"terrella_path": 1, "views": [{"altitude": 3}, {"altitude": 0.3, "pitch": -30, "heading": 40, "at": 4}]})";
