@@ -69,8 +69,9 @@ int sphere_level(double allowed) {
   return level;
 }
 
-// How far (pixels) flat triangles between the vertices of nodes miss the ground: less in 99 of 100 places
-// (tests/planet/node_error_test.cpp measures it). apart: vertices to a distance.
+// About how far (pixels) flat triangles between the vertices of nodes miss the ground in all but a hundredth of places,
+// as steep as they are most of the way up; among the highest mountains it is more (tests/planet/node_error_test.cpp).
+// apart: vertices to a distance.
 double error_of_nodes(const Scene& scene, const Pose& pose, double apart) {
   constexpr double of_deviation = 3.3, nearest = 1e-7, farthest = 2.0;  // planet radii
   double most = 0.0;
