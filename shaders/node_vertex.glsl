@@ -1,5 +1,5 @@
-// A vertex of a ground of nodes, as the distance to the eye has it. src/passes/node_meshes.cpp fills textures and instances;
-// lengths in planet radii.
+// A vertex of a ground of nodes, as the distance to the eye has it. src/passes/node_meshes.cpp fills textures, instances and
+// vertices; lengths in planet radii.
 #include "frame_block.glsl"
 
 // A row a node, a texel a vertex, row after row along x (src/planet/node_mesh.hpp).
@@ -16,6 +16,7 @@ layout(location = 1) in vec4 node_middle;  // xyz: unit; w: base, a height
 layout(location = 2) in vec4 node_along;   // xyz: middle less the eye's direction; w: edge, rad
 layout(location = 3) in vec4 node_sea;     // xyz: the middle at the sea's level, from the eye; w: the base's height over it
 layout(location = 4) in vec4 node_around;  // x: as DrawnNode's coarser; y, z: first layer of noise that the node's vertices don't hold whole, and its strength
+layout(location = 5) in ivec2 node_corner;  // x: the texel; y: sides and corners that the vertex lies on (NodePatch), negative at the lower end of a skirt
 
 out vec4 node_slope;        // xyz: gradient of the height along the sphere; w: openness
 out vec3 node_height;       // x: over the water; y, z: Height's rise and ridges
@@ -29,40 +30,21 @@ struct NodeVertex {
   vec3 skirt;  // what a skirt adds for each unit of distance; 0 elsewhere
 };
 
-// On the rim, counted around from the corner where both are 0.
-ivec2 place_on_rim(int n) {
-  int side = n / node_cells, along = n % node_cells;
-  if (side == 0) return ivec2(along, 0);
-  if (side == 1) return ivec2(node_cells, along);
-  if (side == 2) return ivec2(node_cells - along, node_cells);
-  return ivec2(0, node_cells - along);
-}
-
 // A vertex's place on the unit sphere, from the middle. vertex: as node_places has it.
 vec3 flat_place_of(vec4 vertex) {
   return (vertex.xyz - vertex.w * node_middle.xyz) / (1.0 + node_middle.w + vertex.w);
 }
 
-// Whether the vertex belongs to a node of the level above as well.
-bool meets_coarser(ivec2 place, int around) {
-  bvec4 on = bvec4(place.x == 0, place.x == node_cells, place.y == 0, place.y == node_cells);
-  int touched = (on.x ? 1 : 0) | (on.y ? 2 : 0) | (on.z ? 4 : 0) | (on.w ? 8 : 0);
-  touched |= (on.x && on.z ? 16 : 0) | (on.y && on.z ? 32 : 0) | (on.x && on.w ? 64 : 0) | (on.y && on.w ? 128 : 0);
-  return (touched & around) != 0;
-}
-
 // Where the vertex is; tells pixels what it knows of the ground.
 NodeVertex node_vertex() {
-  // Vertices beyond those of a node are its rim once more.
-  int row = node_cells + 1, beyond = gl_VertexID - row * row;
-  ivec2 place = beyond >= 0 ? place_on_rim(beyond) : ivec2(gl_VertexID % row, gl_VertexID / row);
-  ivec2 texel = ivec2(place.y * row + place.x, int(node_centre.w));
+  ivec2 texel = ivec2(node_corner.x, int(node_centre.w));
   vec4 own = texelFetch(node_places, texel, 0);
   // Of its own height, which all nodes agree on that share it.
   vec3 chord = flat_place_of(own) + node_along.xyz;
   float away = sqrt(node_morph.z + dot(chord, chord)) / node_along.w;
   float part = clamp((away - node_morph.x) / (node_morph.y - node_morph.x), 0.0, 1.0);
-  if (meets_coarser(place, int(node_around.x))) part = 1.0;
+  // Whether it belongs to a node of the level above as well.
+  if ((abs(node_corner.y) & int(node_around.x)) != 0) part = 1.0;
   own += part * texelFetch(node_coarser, texel, 0);
   vec4 rise = texelFetch(node_rises, texel, 0);
   node_slope = texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
@@ -74,6 +56,6 @@ NodeVertex node_vertex() {
   v.flat_place = flat_place_of(own);
   v.up = normalize(node_middle.xyz + v.flat_place);
   // Down and out, so that it closes the finest gap from wherever one looks.
-  v.skirt = beyond >= 0 ? node_morph.w * (normalize(v.flat_place) - v.up) : vec3(0.0);
+  v.skirt = node_corner.y < 0 ? node_morph.w * (normalize(v.flat_place) - v.up) : vec3(0.0);
   return v;
 }

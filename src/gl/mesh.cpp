@@ -74,21 +74,24 @@ void Squares::draw(std::size_t first, std::size_t count) const {
   count_draw(static_cast<std::int64_t>(2 * count / floats_each_));
 }
 
-Instances::Instances(int vec4s_each, std::span<const std::uint16_t> indices)
-    : vec4s_each_(vec4s_each), index_bytes_(static_cast<std::int64_t>(indices.size_bytes())) {
+Instances::Instances(int vec4s_each, std::span<const glm::ivec2> vertices, std::span<const std::uint16_t> indices)
+    : vec4s_each_(vec4s_each), bytes_(static_cast<std::int64_t>(vertices.size_bytes() + indices.size_bytes())) {
   glBindVertexArray(array_.name());
+  upload(GL_ARRAY_BUFFER, vertices_, std::as_bytes(vertices));
+  glEnableVertexAttribArray(static_cast<GLuint>(vec4s_each));
+  glVertexAttribIPointer(static_cast<GLuint>(vec4s_each), 2, GL_INT, sizeof(glm::ivec2), nullptr);
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, std::as_bytes(indices));
   for (int i = 0; i < vec4s_each; ++i) {
     glEnableVertexAttribArray(static_cast<GLuint>(i));
     glVertexAttribDivisor(static_cast<GLuint>(i), 1);
   }
   glBindVertexArray(0);
-  memory_.set(index_bytes_);
+  memory_.set(bytes_);
 }
 
 void Instances::set(std::span<const glm::vec4> data) {
   upload(GL_ARRAY_BUFFER, instances_, std::as_bytes(data), GL_STREAM_DRAW);
-  memory_.set(index_bytes_ + static_cast<std::int64_t>(data.size_bytes()));
+  memory_.set(bytes_ + static_cast<std::int64_t>(data.size_bytes()));
 }
 
 void Instances::draw(std::size_t first_index, std::size_t index_count, std::size_t first, std::size_t count) const {

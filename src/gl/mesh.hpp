@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -52,12 +53,12 @@ class Squares {
   Holding memory_;
 };
 
-// Triangles between vertices that the vertex shader finds by gl_VertexID, drawn many times over: each instance has a
-// fixed number of vec4 attributes 0, 1, …
+// Triangles drawn many times over: each instance has a fixed number of vec4 attributes 0, 1, …, and each vertex an
+// ivec2 after those.
 class Instances {
  public:
   // indices: three a triangle, as one list of lists.
-  Instances(int vec4s_each, std::span<const std::uint16_t> indices);
+  Instances(int vec4s_each, std::span<const glm::ivec2> vertices, std::span<const std::uint16_t> indices);
 
   // data: vec4s_each a piece; replaces what was there.
   void set(std::span<const glm::vec4> data);
@@ -67,10 +68,11 @@ class Instances {
 
  private:
   VertexArrayHandle array_;
+  BufferHandle vertices_;
   BufferHandle indices_;
   BufferHandle instances_;
   int vec4s_each_;
-  std::int64_t index_bytes_;
+  std::int64_t bytes_;  // but for the instances
   Holding memory_;
 };
 

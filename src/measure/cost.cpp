@@ -54,16 +54,23 @@ class Sum {
 // As many as are kept could be drawn, each as ground and as sea: by one call for each list of triangles.
 void add_nodes(Sum& sum, const Needs& needs) {
   sum.program("ground/nodes");
-  const std::int64_t vertices = vertices_a_node(needs.ground_cells);
-  const std::int64_t triangles = 2 * needs.ground_cells * needs.ground_cells + 2 * vertices_a_rim(needs.ground_cells);
+  const std::int64_t cells = needs.ground_cells;
+  const bool triangular = needs.ground == Ground::triangle_lod;
+  const std::int64_t vertices = triangular ? (cells + 1) * (cells + 2) / 2 : (cells + 1) * (cells + 1);
+  const std::int64_t rim = (triangular ? 3 : 4) * cells;
+  const std::int64_t triangles = (triangular ? 1 : 2) * cells * cells + 2 * rim;
+  // While a grid around the eye is made, that before is kept as well.
+  const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
   const int layers = needs.water != Water::none ? 2 : 1;
   sum.draw(layers * node_slots * triangles, 16 * layers);
-  for (const int texel_bytes : {16, 16, 8, 8, 8}) sum.texels(vertices * node_slots, texel_bytes);
-  sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + 16 * 6 * triangles);
+  for (int n = 0; n < kept; ++n) {
+    for (const int texel_bytes : {16, 16, 8, 8, 8}) sum.texels(vertices * node_slots, texel_bytes);
+    sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + 16 * 6 * triangles + 8 * (vertices + rim));
+  }
 }
 
 void add_ground(Sum& sum, const Needs& needs) {
-  if (needs.ground == Ground::quadtree) return add_nodes(sum, needs);
+  if (has_nodes(needs.ground)) return add_nodes(sum, needs);
   sum.program("ground/bake");
   sum.program("ground/icosphere");
   sum.program("ground/icosphere_near");
@@ -75,7 +82,7 @@ void add_ground(Sum& sum, const Needs& needs) {
 }
 
 void add_water(Sum& sum, const Needs& needs) {
-  if (needs.ground == Ground::quadtree) {
+  if (has_nodes(needs.ground)) {
     sum.program("water/calm_nodes");
     sum.program("water/rippled_nodes");
     return;

@@ -42,9 +42,9 @@ Sight sight_of(const Frame& frame) {
 double solid_radius(const Needs& needs) {
   const bool solid = needs.ground != Ground::none || needs.water != Water::none;
   if (!solid) return 0.0;
-  if (needs.ground != Ground::quadtree) return 1.0 - icosphere_sag(group_level);
-  // Across the diagonal of a cell of the coarsest nodes.
-  const double spacing = vertex_spacing(0, needs.ground_cells);
+  if (!has_nodes(needs.ground)) return 1.0 - icosphere_sag(group_level);
+  // Across the diagonal of a cell of the coarsest nodes, which are those of a cube.
+  const double spacing = CubeGrid().spacing(0, needs.ground_cells);
   return 1.0 - spacing * spacing / 4.0;
 }
 

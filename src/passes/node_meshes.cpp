@@ -30,8 +30,6 @@ double occluder_of(const Frame& frame) { return frame.needs.water == Water::none
 
 glm::vec4 vector(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); }
 
-NodeRanges ranges_of(const Needs& needs) { return {needs.ground_split, needs.ground_deepest, needs.ground_cells}; }
-
 }  // namespace
 
 NodeMeshes::NodeMeshes() : cache_(node_slots) {}
@@ -40,29 +38,39 @@ void NodeMeshes::start_anew(const Frame& frame) {
   relief_ = relief_of(frame.scene);
   terrain_ = exact_terrain_of(frame.scene);
   cache_.clear();
-  if (cells_ != frame.needs.ground_cells) make_room(frame.needs.ground_cells);
 }
 
 void NodeMeshes::make_room(int cells) {
-  cells_ = cells;
-  for (std::size_t i = 0; i < textures_.size(); ++i) {
-    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
-    textures_.at(i) = std::make_unique<gl::Image>(vertices_a_node(cells), node_slots, format);
+  patch_ = grid_->patch(cells);
+  const auto count = patch_.vertices.size();
+  if (textures_.front() == nullptr || textures_.front()->width() != static_cast<int>(count)) {
+    for (std::size_t i = 0; i < textures_.size(); ++i) {
+      const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
+      textures_.at(i) = std::make_unique<gl::Image>(static_cast<int>(count), node_slots, format);
+    }
   }
+  std::vector<glm::ivec2> vertices;
+  for (std::size_t n = 0; n < count; ++n) vertices.emplace_back(n, patch_.vertices[n].touches);
+  for (const std::uint16_t n : patch_.rim) vertices.emplace_back(n, -static_cast<int>(patch_.vertices[n].touches));
   std::vector<std::uint16_t> indices;
-  for (unsigned coarser = 0; coarser < 16; ++coarser) {
-    const std::vector<std::uint16_t> list = node_triangles(cells, coarser, true);
+  for (unsigned coarser = 0; coarser < patch_.lists(); ++coarser) {
+    const std::vector<std::uint16_t> list = node_triangles(patch_, coarser, true);
     lists_.at(coarser) = {indices.size(), list.size()};
     indices.insert(indices.end(), list.begin(), list.end());
   }
-  meshes_ = std::make_unique<gl::Instances>(vec4s_a_node, indices);
+  meshes_ = std::make_unique<gl::Instances>(vec4s_a_node, vertices, indices);
 }
 
-void NodeMeshes::update(const Frame& frame) {
+void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid) {
   noise_evaluations_ = 0;
   is_full_ = false;  // another eye may leave room
-  if (relief_ != relief_of(frame.scene) || cells_ != frame.needs.ground_cells) start_anew(frame);
-  for (const QuadNode& root : root_nodes()) {
+  const int cells = frame.needs.ground_cells;
+  const bool other_grid = grid_ != grid, other_nodes = other_grid || patch_.cells != cells;
+  grid_ = std::move(grid);
+  if (other_nodes) make_room(cells);
+  if (other_nodes || relief_ != relief_of(frame.scene)) start_anew(frame);
+  ranges_ = ranges_for(*grid_, frame.needs.ground_split, frame.needs.ground_finest, cells);
+  for (const QuadNode& root : grid_->roots()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
   eye_ = eye_over(terrain_, frame.pose);
@@ -81,7 +89,7 @@ void NodeMeshes::choose(const Frame& frame) {
   cache_.begin_frame();
   NodeSight sight = node_sight(frame.pose, frame.view, {0, frame.view.height}, occluder_of(frame));
   if (frame.needs.water != Water::none) sight.sea = water_radius(frame.scene);
-  choose_nodes(sight, eye_, ranges_of(frame.needs), cache_, choice_);
+  choose_nodes(*grid_, sight, eye_, ranges_, cache_, choice_);
 }
 
 void NodeMeshes::make_missing(const Frame& frame, double time) {
@@ -94,7 +102,7 @@ void NodeMeshes::make_missing(const Frame& frame, double time) {
 bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
   is_full_ = !cache_.has_room();
   if (is_full_) return false;
-  const NodeFrame made = make_node(node, cells_, terrain_, vertices_);
+  const NodeFrame made = make_node(*grid_, patch_, node, terrain_, vertices_);
   const int slot = *cache_.insert(node, made);
   textures_[0]->set_row(slot, vertices_.place);
   textures_[1]->set_row(slot, vertices_.coarser);
@@ -102,7 +110,7 @@ bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
   textures_[3]->set_row(slot, vertices_.coarser_slope);
   textures_[4]->set_row(slot, vertices_.rise);
   noise_evaluations_ +=
-      vertices_a_node(cells_) * std::int64_t{noise_per_height(scene, vertex_spacing(node.level, cells_))};
+      std::ssize(patch_.vertices) * std::int64_t{noise_per_height(scene, grid_->spacing(node.level, patch_.cells))};
   return true;
 }
 
@@ -113,31 +121,32 @@ void NodeMeshes::pack(const Frame& frame) {
   instances_.clear();
   const auto add = [&](const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
-    const auto& [middle, base, half_width, heights] = entry.frame;
-    const double spacing = vertex_spacing(entry.node.level, cells_);
+    const glm::dvec3& middle = entry.frame.outline.middle;
+    const double base = entry.frame.base;
+    const double spacing = grid_->spacing(entry.node.level, patch_.cells);
     const int held = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * spacing);
     instances_.push_back(vector((1.0 + base) * middle - frame.pose.eye, drawn.slot));
     instances_.push_back(vector(middle, base));
-    instances_.push_back(vector(middle - eye_.direction, node_edge(entry.node.level)));
+    instances_.push_back(vector(middle - eye_.direction, grid_->edge(entry.node.level)));
     instances_.push_back(vector(sea * middle - frame.pose.eye, base - (sea - 1.0)));
     instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), 0.0);
   };
   const bool water = frame.needs.water != Water::none;
   const auto has = [&](Layer layer, const DrawnNode& drawn) {
     const NodeFrame& node = cache_.at(drawn.slot).frame;
-    const double spacing = vertex_spacing(cache_.at(drawn.slot).node.level, cells_);
+    const double spacing = grid_->spacing(cache_.at(drawn.slot).node.level, patch_.cells);
     const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
     if (layer == Layer::ground) return !water || !above_sea || 1.0 + node.heights.highest >= lowest_sea;
-    const double away = glm::distance(frame.pose.eye, node.middle) + node.half_width;
+    const double away = glm::distance(frame.pose.eye, node.outline.middle) + node.outline.half_width;
     return water &&
            1.0 + node.heights.lowest <= sea + std::min(frame.needs.water_lift * away, frame.needs.water_most_lift);
   };
   for (const Layer layer : {Layer::ground, Layer::sea}) {
-    for (unsigned list = 0; list < 16; ++list) {
+    for (unsigned list = 0; list < patch_.lists(); ++list) {
       Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
       run.first = instances_.size() / vec4s_a_node;
       for (const DrawnNode& drawn : choice_.drawn) {
-        if ((drawn.coarser & 15U) == list && has(layer, drawn)) add(drawn);
+        if ((drawn.coarser & all_sides) == list && has(layer, drawn)) add(drawn);
       }
       run.count = instances_.size() / vec4s_a_node - run.first;
     }
@@ -147,11 +156,10 @@ void NodeMeshes::pack(const Frame& frame) {
 
 void NodeMeshes::draw(const Frame& frame, const gl::Program& program, Layer layer) const {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
-  const NodeRanges ranges = ranges_of(frame.needs);
-  program.set("node_cells", cells_);
-  program.set("node_morph", static_cast<float>(ranges.morph_begin()), static_cast<float>(ranges.morph_end()),
+  program.set("node_cells", patch_.cells);
+  program.set("node_morph", static_cast<float>(ranges_.morph_begin()), static_cast<float>(ranges_.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
-  for (std::size_t list = 0; list < 16; ++list) {
+  for (std::size_t list = 0; list < patch_.lists(); ++list) {
     const Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
     meshes_->draw(lists_.at(list).first, lists_.at(list).count, run.first, run.count);
   }

@@ -1,4 +1,4 @@
-// The nodes of a cube_grid on the GPU: made as they are needed, kept within a fixed budget of memory, and drawn as
+// The nodes of a grid on the GPU: made as they are needed, kept within a fixed budget of memory, and drawn as
 // ground or as sea.
 #pragma once
 
@@ -27,8 +27,8 @@ class NodeMeshes {
   NodeMeshes();
 
   // Chooses what is drawn, and makes what is missing: all of it where the frame is to be complete, else as much as a
-  // frame has time for.
-  void update(const Frame& frame);
+  // frame has time for. grid: kept until the next update; another one than before starts anew.
+  void update(const Frame& frame, std::shared_ptr<const NodeGrid> grid);
 
   // What is drawn of the chosen nodes.
   enum class Layer { ground, sea };
@@ -43,7 +43,7 @@ class NodeMeshes {
  private:
   // Forgets what was made for nodes of other cells or another relief.
   void start_anew(const Frame& frame);
-  // For nodes of so many cells: textures, and lists of triangles.
+  // For the grid's nodes of so many cells: textures, and lists of triangles.
   void make_room(int cells);
   void choose(const Frame& frame);
   // Makes those that are missing until they or the time (ms) come to an end.
@@ -62,7 +62,9 @@ class NodeMeshes {
   NodeEye eye_;
   NodeVertices vertices_;
   std::optional<Relief> relief_;
-  int cells_ = 0;
+  std::shared_ptr<const NodeGrid> grid_;
+  NodePatch patch_;
+  NodeRanges ranges_;
   f64::Terrain terrain_{};
   std::array<std::unique_ptr<gl::Image>, 5> textures_;
   std::array<Run, 16> lists_;  // of the triangles, by the sides with coarser neighbours

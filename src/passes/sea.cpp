@@ -32,7 +32,7 @@ WaveBlock wave_block(const Sea& sea) {
 SeaPass::SeaPass(Water technique, SphereMeshes& spheres) : technique_(technique), spheres_(spheres) {}
 
 void SeaPass::want(const Needs& needs) {
-  const bool over_nodes = has_real_size && needs.ground == Ground::quadtree;
+  const bool over_nodes = has_real_size && has_nodes(needs.ground);
   if (!program_ || over_nodes != over_nodes_) {
     over_nodes_ = over_nodes;
     program_.emplace(over_nodes ? "water/nodes" : technique_ == Water::calm ? "water/calm" : "water/waves");

@@ -24,14 +24,6 @@ double place_on_face(double from_middle) {
 // The other way.
 double part_of_face(double place) { return 0.5 + std::atan(place) / quarter_turn; }
 
-// x, y: from the middle of the face.
-glm::dvec3 direction_on(int face, double x, double y) {
-  const glm::dvec2 place(place_on_face(x), place_on_face(y));
-  // Divided by a length that does not depend on which of both coordinates is which: the next face has them exchanged.
-  const double length = std::sqrt(1.0 + (place.x * place.x + place.y * place.y));
-  return f64::cube_face_direction(face, place) / length;
-}
-
 // The face that a direction passes through, and where: cube_face_direction the other way.
 struct FacePlace {
   int face;
@@ -52,44 +44,27 @@ FacePlace on_face(const glm::dvec3& d) {
   return {5, {-d.x / size.z, -d.y / size.z}};
 }
 
-// How far the cell or vertex of a number is from the middle of a side, -1..1. What is divided is exact, so that it is
-// the same however fine the nodes are that it is told from, and from whichever end the side is counted.
-double from_middle(double number, int level, int cells) {
-  const double all = std::ldexp(static_cast<double>(cells), level);
-  return (2.0 * number - all) / all;
-}
-
 }  // namespace
 
-std::array<QuadNode, 4> children_of(const QuadNode& node) {
-  CHECK(node.level < deepest_level, node.level);
-  const int level = node.level + 1;
-  const std::uint32_t x = 2 * node.x, y = 2 * node.y;
-  return {{{node.face, level, x, y},
-           {node.face, level, x + 1, y},
-           {node.face, level, x, y + 1},
-           {node.face, level, x + 1, y + 1}}};
+std::vector<QuadNode> CubeGrid::roots() const {
+  std::vector<QuadNode> roots;
+  for (int face = 0; face < 6; ++face) roots.push_back({face, 0, 0, 0});
+  return roots;
 }
 
-QuadNode parent_of(const QuadNode& node) {
-  CHECK(node.level > 0, node.level);
-  return {node.face, node.level - 1, node.x / 2, node.y / 2};
+glm::dvec3 CubeGrid::direction_on(int face, double x, double y) const {
+  const glm::dvec2 place(place_on_face(x), place_on_face(y));
+  // Divided by a length that does not depend on which of both coordinates is which: the next face has them exchanged.
+  const double length = std::sqrt(1.0 + (place.x * place.x + place.y * place.y));
+  return f64::cube_face_direction(face, place) / length;
 }
 
-glm::dvec3 vertex_direction(const QuadNode& node, int i, int j, int cells) {
-  const double many = cells;
-  return direction_on(node.face, from_middle(many * node.x + i, node.level, cells),
-                      from_middle(many * node.y + j, node.level, cells));
-}
-
-glm::dvec3 middle_of(const QuadNode& node) { return vertex_direction(node, 1, 1, 2); }
-
-double node_edge(int level) {
+double CubeGrid::edge(int level) const {
   // In the middle of a face a place of 1 covers a radian; tangents spread by a quarter turn a side do so all along.
   return std::ldexp(quarter_turn, -level);
 }
 
-QuadNode node_at(const glm::dvec3& direction, int level) {
+QuadNode CubeGrid::node_at(const glm::dvec3& direction, int level) const {
   CHECK(level >= 0 && level <= deepest_level, level);
   const FacePlace found = on_face(direction);
   const double side = std::ldexp(1.0, level);
@@ -99,29 +74,13 @@ QuadNode node_at(const glm::dvec3& direction, int level) {
   return {found.face, level, number(found.place.x), number(found.place.y)};
 }
 
-QuadNode across(const QuadNode& node, Side side) {
-  const std::uint32_t last = (1U << node.level) - 1U;
-  QuadNode next = node;
-  switch (side) {
-    case Side::left:
-      if (node.x > 0) return --next.x, next;
-      break;
-    case Side::right:
-      if (node.x < last) return ++next.x, next;
-      break;
-    case Side::bottom:
-      if (node.y > 0) return --next.y, next;
-      break;
-    case Side::top:
-      if (node.y < last) return ++next.y, next;
-      break;
-  }
-  // Over an edge of the cube: half a node beyond it, on the plane of this face. How far the place lies along the edge
-  // counts there for less by as much as it lies beyond.
+std::optional<QuadNode> CubeGrid::beyond_face(const QuadNode& node, Side side) const {
+  // Half a node beyond the edge of the cube, on the plane of this face. How far the place lies along the edge counts
+  // there for less by as much as it lies beyond.
   const bool along_x = side == Side::left || side == Side::right;
   const bool upwards = side == Side::right || side == Side::top;
   const double beyond = std::tan(0.5 * quarter_turn * (1.0 + std::ldexp(1.0, -node.level)));
-  const double beside = beyond * place_on_face(from_middle(2.0 * (along_x ? node.y : node.x) + 1.0, node.level, 2));
+  const double beside = beyond * place_on_face(place_of_number(2.0 * (along_x ? node.y : node.x) + 1.0, node.level, 2));
   const double out = upwards ? beyond : -beyond;
   return node_at(f64::cube_face_direction(node.face, along_x ? glm::dvec2(out, beside) : glm::dvec2(beside, out)),
                  node.level);

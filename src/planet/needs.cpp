@@ -8,7 +8,6 @@
 
 #include "base/text.hpp"
 #include "formulas/formulas.hpp"
-#include "planet/cube_grid.hpp"
 #include "planet/icosphere_groups.hpp"
 #include "planet/lights.hpp"
 #include "planet/materials.hpp"
@@ -25,7 +24,10 @@ namespace terrella {
 namespace {
 
 // Places in the choice lists of params.inc.
-enum : int { model_none = 0, model_auto = 1, water_calm = 2, water_waves = 3, ground_quadtree = 3 };
+enum : int { model_none = 0, model_auto = 1, water_calm = 2, water_waves = 3 };
+
+// In the order of the choices of terrain.model.
+enum : int { ground_icosphere = 2, ground_quadtree = 5 };
 
 // A planet that is large for who stands on it, and whose mountains are low beside it.
 constexpr double real_radius = 10e3, real_relief = 0.02;  // m; planet radii
@@ -90,10 +92,11 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   const auto is_enough = [&](double split, int cells) {
     return error_of_nodes(scene, pose, 1.0 / (mean_distance * split * cells)) <= scene.quality.pixel_error;
   };
-  needs.ground_split = least_split;
+  const double least = least_split(needs.ground == Ground::triangle_lod ? 1.0 : std::numbers::sqrt2);
+  needs.ground_split = least;
   for (const int cells : {least_cells, 14, 20, most_cells}) {
     needs.ground_cells = cells;
-    if (is_enough(least_split, cells)) return;
+    if (is_enough(least, cells)) return;
   }
   while (needs.ground_split < most_split && !is_enough(needs.ground_split, most_cells)) needs.ground_split += 0.25;
 }
@@ -106,11 +109,9 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   decide.add("ground.split", needs.ground_split,
              "edges of a node within which it is split in four: more where the most cells are not enough");
   const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
-  while (needs.ground_deepest < deepest_level &&
-         vertex_spacing(needs.ground_deepest, needs.ground_cells) * finest > 0.25) {
-    ++needs.ground_deepest;
-  }
-  decide.add("ground.deepest", needs.ground_deepest, "the level whose vertices show the finest layer of noise");
+  needs.ground_finest = 0.25 / finest;
+  decide.add("ground.finest", needs.ground_finest * scene.planet.radius,
+             "m between vertices, which shows the finest layer of noise: no closer anywhere");
   needs.pixel_octaves_end =
       visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint_below(scene, pose));
   decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
@@ -126,7 +127,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
                  ? "a miniature: one mesh shows all of it"
                  : "the planet is of real size: from 10 km of radius on, and mountains below a fiftieth of it");
   if constexpr (has_real_size) {
-    if (needs.ground == Ground::quadtree) return decide_nodes(needs, scene, pose, decide);
+    if (has_nodes(needs.ground)) return decide_nodes(needs, scene, pose, decide);
   }
 
   needs.ground_level = ground_level(scene);
@@ -184,7 +185,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   }
   const Sea sea = make_sea(scene, 0.0);
   const double shown = sea.highest / std::max(pose.pixel_angle * pose.clearance, 1e-12);
-  if (needs.ground == Ground::quadtree) {
+  if (has_nodes(needs.ground)) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "waves do not yet ride a ground of nodes");
   } else if (water.model == water_calm) {
@@ -211,7 +212,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map, or the
   // pixels of nodes, draw the shore. Never so far that it nears the eye, which in the smallest pictures would not count
   // as an error.
-  if (needs.ground == Ground::quadtree) {
+  if (has_nodes(needs.ground)) {
     needs.water_lift = std::min(scene.quality.pixel_error * pose.pixel_angle, 0.05);
     needs.water_most_lift = has_clouds(scene) ? of_gap * std::max(cloud_radius(scene) - water_radius(scene), 0.0) : 1.0;
   } else {
@@ -338,7 +339,14 @@ bool anything_moves(const Needs& needs, const Scene& scene) {
 }  // namespace
 
 std::string_view name_of(Ground technique) {
-  return technique == Ground::none ? "none" : technique == Ground::icosphere ? "icosphere" : "quadtree";
+  switch (technique) {
+    case Ground::none: return "none";
+    case Ground::icosphere: return "icosphere";
+    case Ground::persistent_grid: return "persistent_grid";
+    case Ground::triangle_lod: return "triangle_lod";
+    case Ground::quadtree: return "quadtree";
+  }
+  return "";
 }
 std::string_view name_of(Water technique) {
   return technique == Water::none ? "none" : technique == Water::calm ? "calm" : "waves";
@@ -353,13 +361,15 @@ std::string_view name_of(Stars technique) { return technique == Stars::none ? "n
 double texel_angle(int texels) { return 2.0 / texels; }
 
 bool asks_for_real_size(const Scene& scene) {
-  if (scene.terrain.model != model_auto) return scene.terrain.model == ground_quadtree;
+  if (scene.terrain.model != model_auto) return scene.terrain.model > ground_icosphere;
   return scene.planet.radius >= real_radius && scene.terrain.height <= real_relief * scene.planet.radius;
 }
 
 Ground ground_technique(const Scene& scene) {
   if (scene.terrain.model == model_none) return Ground::none;
-  return has_real_size && asks_for_real_size(scene) ? Ground::quadtree : Ground::icosphere;
+  if (!has_real_size || !asks_for_real_size(scene)) return Ground::icosphere;
+  const int model = scene.terrain.model == model_auto ? ground_quadtree : scene.terrain.model;
+  return static_cast<Ground>(model - ground_icosphere + static_cast<int>(Ground::icosphere));
 }
 
 int ground_level(const Scene& scene) {

@@ -9,7 +9,7 @@
 
 namespace terrella {
 
-enum class Ground { none, icosphere, quadtree };
+enum class Ground { none, icosphere, persistent_grid, triangle_lod, quadtree };
 enum class Water { none, calm, waves };
 enum class Clouds { none, shell };
 enum class Air { none, fresnel };
@@ -47,7 +47,7 @@ struct Needs {
   double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii
   int ground_texels = 0;        // side of a face of its map
   double ground_split = 0;      // of a ground of nodes: nearer than so many of its edges a node is split
-  int ground_deepest = 0;       // their finest level
+  double ground_finest = 0;     // their vertices need not be closer than this, rad
   int ground_cells = 0;         // along a side of each
   int pixel_octaves_first = 0;  // octaves of the ground computed at every pixel, because the map can't show them:
   int pixel_octaves_end = 0;    // [first, end); equal: none
@@ -87,6 +87,9 @@ double footprint_below(const Scene& scene, const Pose& pose);
 
 // Distance of neighbouring texels in the middle of a cube map's face, rad.
 double texel_angle(int texels);
+
+// Whether it is drawn as nodes that are split where they are near.
+constexpr bool has_nodes(Ground technique) { return technique >= Ground::persistent_grid; }
 
 // Whether a scene is to have a ground of nodes, which not all builds draw (has_real_size).
 bool asks_for_real_size(const Scene& scene);

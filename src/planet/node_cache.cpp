@@ -10,7 +10,7 @@ namespace {
 // A number for each node: its place on its level behind a leading one, which tells the level.
 std::uint64_t key_of(const QuadNode& node) {
   const auto level = static_cast<unsigned>(node.level);
-  return std::uint64_t{static_cast<unsigned>(node.face)} << 60U |
+  return std::uint64_t{static_cast<unsigned>(node.face)} << 59U |
          ((std::uint64_t{1} << 2U * level) + (std::uint64_t{node.x} << level) + node.y);
 }
 

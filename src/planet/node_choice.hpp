@@ -1,5 +1,5 @@
-// Which nodes of a cube_grid are drawn for an eye (Andrei, section 2): the finer, the nearer, and no two levels side by
-// side that are not neighbours. Lengths in planet radii.
+// Which nodes of a grid are drawn for an eye (Andrei, section 2): the finer, the nearer, and no two levels side by side
+// that are not neighbours. Lengths in planet radii.
 #pragma once
 
 #include <array>
@@ -23,8 +23,7 @@ NodeSight node_sight(const Pose& pose, const View& view, const Rows& rows, doubl
 
 struct DrawnNode {
   int slot;
-  unsigned coarser;  // bits 0..3: the node across that one of `sides` is of the level above;
-                     // bits 4..7: one across a corner, that where x and y are least, x is most, y is most, both are
+  unsigned coarser;  // sides and corners (NodePatch) that it shares with a node of the level above
 };
 
 struct MissingNode {
@@ -41,14 +40,13 @@ struct NodeChoice {
   std::vector<int> level, next;  // slots of nodes of a level while it is looked through
 };
 
-// All nodes of a sphere undivided. They must be in the cache before any are chosen.
-std::array<QuadNode, 6> root_nodes();
+// Replaces what was chosen before. The cache must hold the roots of the grid, and have begun the frame.
+void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& eye, const NodeRanges& ranges,
+                  NodeCache& cache, NodeChoice& choice);
 
-// Replaces what was chosen before. The cache must have begun the frame.
-void choose_nodes(const NodeSight& sight, const NodeEye& eye, const NodeRanges& ranges, NodeCache& cache,
-                  NodeChoice& choice);
-
-// How far, at least, a node's ground is from the eye, as NodeEye counts.
-double distance_of(const NodeFrame& node, const NodeEye& eye);
+// How far a node is from the eye, as NodeEye counts, to be held against the distance within which it is split: its
+// nearest place, but where its farthest would be left further than `widest` (NodeGrid::reach, as a distance) beyond
+// that.
+double distance_of(const NodeOutline& node, const NodeEye& eye, double widest);
 
 }  // namespace terrella

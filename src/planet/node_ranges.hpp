@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "formulas/formulas.hpp"
-#include "planet/cube_grid.hpp"
+#include "planet/node_grid.hpp"
 #include "planet/pose.hpp"
 
 namespace terrella {
@@ -22,19 +22,23 @@ struct NodeEye {
 // From heights around the place below the eye.
 NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose);
 
-// All widths as multiples of the edge of a node (node_edge).
+// All widths as multiples of the longest side of a node (NodeGrid::edge).
 struct NodeRanges {
   double split = 2.5;  // nearer than this a node is split in four
   int deepest = deepest_level;
   int cells = most_cells;  // along a side of a node
+  double reach = 1.4143;   // of a node (NodeGrid::reach)
 
   // From where to where a vertex passes from its own shape to that of the level above. Where it begins, no finer node
-  // is left: those reach a node's diagonal further than they are wanted. Where it ends, the level above is fine enough.
-  [[nodiscard]] double morph_begin() const { return split + 1.4143; }
+  // is left: those reach a node's width further than they are wanted. Where it ends, the level above is fine enough.
+  [[nodiscard]] double morph_begin() const { return split + reach; }
   [[nodiscard]] double morph_end() const { return 2.0 * split; }
 };
 
+// Of a grid whose vertices need not be closer than this (rad). split: as asked, and no less than the grid can do with.
+NodeRanges ranges_for(const NodeGrid& grid, double split, double finest, int cells);
+
 // A split below this would leave no room to pass from shape to shape.
-inline constexpr double least_split = 1.75;
+constexpr double least_split(double reach) { return reach + 0.3357; }
 
 }  // namespace terrella

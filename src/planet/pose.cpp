@@ -59,7 +59,7 @@ glm::dvec3 direction_of(double latitude, double longitude) {
 
 double least_clearance(const Scene& scene) {
   constexpr double of_meshes = 1e-4, of_nodes = 1e-6, metres = 1.0;
-  if (ground_technique(scene) != Ground::quadtree) return of_meshes;
+  if (!has_nodes(ground_technique(scene))) return of_meshes;
   return std::min(of_nodes, metres / scene.planet.radius);
 }
 
@@ -69,7 +69,7 @@ namespace {
 double ground_below(const Scene& scene, const glm::dvec3& direction) {
   constexpr double finest = 1e-11, finest_of_meshes = 1e-7;  // the first is a millimetre on the largest planet
   if constexpr (has_real_size) {
-    const bool nodes = ground_technique(scene) == Ground::quadtree;
+    const bool nodes = has_nodes(ground_technique(scene));
     return exact_ground_radius(exact_terrain_of(scene), direction, nodes ? finest : finest_of_meshes);
   } else {
     return ground_radius(terrain_of(scene), direction, finest_of_meshes);

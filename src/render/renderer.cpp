@@ -98,7 +98,7 @@ double Renderer::prepare(const Scene& scene, const View& view, Effort effort) {
   if (only_air_) return 1.0;  // two small programs are sooner waited for than asked for again and again
   // The driver compiles meanwhile; to ask it for anything is to wait for it.
   if (ground_) ground_->begin(scene, needs_);
-  if (water_ && needs_.ground != Ground::quadtree) spheres_.directions(needs_.water_level);
+  if (water_ && !has_nodes(needs_.ground)) spheres_.directions(needs_.water_level);
   return ready();
 }
 

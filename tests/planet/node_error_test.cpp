@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "laws/random_places.hpp"
+#include "planet/cube_grid.hpp"
 #include "planet/needs.hpp"
 #include "planet/node_choice.hpp"
 #include "planet/terrain.hpp"
@@ -20,10 +21,10 @@ namespace {
 struct Vertices {
   NodeFrame frame;
   NodeVertices told;
-  double part_of(std::size_t n, const QuadNode& node, const NodeEye& eye, const NodeRanges& ranges) const {
+  double part_of(std::size_t n, double edge, const NodeEye& eye, const NodeRanges& ranges) const {
     const glm::dvec4 own(told.place[n]);
-    const glm::dvec3 direction = glm::normalize(glm::dvec3(own) + (1.0 + frame.base) * frame.middle);
-    const double away = std::hypot(eye.lift, glm::distance(direction, eye.direction)) / node_edge(node.level);
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(own) + (1.0 + frame.base) * frame.outline.middle);
+    const double away = std::hypot(eye.lift, glm::distance(direction, eye.direction)) / edge;
     return std::clamp((away - ranges.morph_begin()) / (ranges.morph_end() - ranges.morph_begin()), 0.0, 1.0);
   }
 };
@@ -35,31 +36,33 @@ std::vector<double> errors_of(const Scene& scene) {
   view.height = 1080;
   const Pose pose = pose_of(scene, view);
   const Needs needs = needs_of(scene, view, pose);
-  const NodeRanges ranges = {needs.ground_split, needs.ground_deepest, needs.ground_cells};
+  const CubeGrid grid;
+  const NodePatch patch = grid.patch(needs.ground_cells);
+  const NodeRanges ranges = ranges_for(grid, needs.ground_split, needs.ground_finest, needs.ground_cells);
   const f64::Terrain terrain = exact_terrain_of(scene);
   const NodeEye eye = eye_over(terrain, pose);
   const NodeSight sight = node_sight(pose, view, {0, view.height}, 1.0);
   NodeCache cache(4000);
   NodeChoice choice;
   NodeVertices scratch;
-  for (const QuadNode& root : root_nodes()) cache.insert(root, make_node(root, ranges.cells, terrain, scratch));
+  for (const QuadNode& root : grid.roots()) cache.insert(root, make_node(grid, patch, root, terrain, scratch));
   for (choice.missing.push_back({}); !choice.missing.empty();) {
     cache.begin_frame();
-    choose_nodes(sight, eye, ranges, cache, choice);
+    choose_nodes(grid, sight, eye, ranges, cache, choice);
     for (const auto& [node, distance] : choice.missing)
-      EXPECT_TRUE(cache.insert(node, make_node(node, ranges.cells, terrain, scratch)));
+      EXPECT_TRUE(cache.insert(node, make_node(grid, patch, node, terrain, scratch)));
   }
   test::Places places(3);
   std::vector<double> errors;
   for (const DrawnNode& drawn : choice.drawn) {
     const QuadNode& node = cache.at(drawn.slot).node;
     Vertices vertices;
-    vertices.frame = make_node(node, ranges.cells, terrain, vertices.told);
+    vertices.frame = make_node(grid, patch, node, terrain, vertices.told);
     const auto row = static_cast<std::size_t>(ranges.cells) + 1;
     const auto at = [&](std::size_t n) {
-      const double part = vertices.part_of(n, node, eye, ranges);
+      const double part = vertices.part_of(n, grid.edge(node.level), eye, ranges);
       return glm::dvec3(glm::dvec4(vertices.told.place[n]) + part * glm::dvec4(vertices.told.coarser[n])) +
-             (1.0 + vertices.frame.base) * vertices.frame.middle;
+             (1.0 + vertices.frame.base) * vertices.frame.outline.middle;
     };
     for (int k = 0; k < 20; ++k) {
       const auto i = static_cast<std::size_t>(places.between(0.0, ranges.cells - 1e-6)),

@@ -1,0 +1,78 @@
+#include "planet/node_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace terrella {
+namespace {
+
+// Over which part of the sphere a side is seen from its middle: unit, away from the node.
+glm::dvec3 outwards(const NodeOutline& outline, std::size_t side) {
+  const glm::dvec3 &a = outline.corners.at(side), &b = outline.corners.at((side + 1) % 4);
+  const glm::dvec3 normal = glm::cross(a, b);
+  const double length = glm::length(normal);
+  if (length == 0.0) return glm::dvec3(0.0);  // the last of a triangle
+  return (glm::dot(normal, outline.middle) > 0.0 ? -1.0 : 1.0) / length * normal;
+}
+
+double distance_to_side(const glm::dvec3& from, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 along = b - a;
+  const double square = glm::dot(along, along);
+  const double part = square > 0.0 ? std::clamp(glm::dot(from - a, along) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(from, a + part * along);
+}
+
+}  // namespace
+
+NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const QuadNode& node) {
+  NodeOutline outline;
+  outline.middle = grid.middle_of(node);
+  const auto rim = [&](std::size_t k) {
+    const NodePatch::Vertex& vertex = patch.vertices[patch.rim[k]];
+    return grid.vertex_direction(node, vertex.i, vertex.j, patch.cells);
+  };
+  const auto cells = static_cast<std::size_t>(patch.cells);
+  for (std::size_t side = 0; side < 4; ++side) outline.corners.at(side) = rim(side * cells % patch.rim.size());
+  for (std::size_t k = 0; k < patch.rim.size(); ++k) {
+    const glm::dvec3 place = rim(k);
+    outline.half_width = std::max(outline.half_width, glm::distance(place, outline.middle));
+    outline.bulge = std::max(outline.bulge, glm::dot(outwards(outline, k / cells), place));
+  }
+  return outline;
+}
+
+double nearest_to(const NodeOutline& outline, const glm::dvec3& direction) {
+  bool within = true;
+  double nearest = glm::distance(direction, outline.corners[0]);
+  for (std::size_t side = 0; side < 4; ++side) {
+    within = within && glm::dot(outwards(outline, side), direction) <= outline.bulge;
+    nearest =
+        std::min(nearest, distance_to_side(direction, outline.corners.at(side), outline.corners.at((side + 1) % 4)));
+  }
+  // A place on the other side of the sphere is within none.
+  if (within && glm::dot(direction, outline.middle) > 0.0) return 0.0;
+  return std::max(nearest - outline.bulge, 0.0);
+}
+
+double farthest_from(const NodeOutline& outline, const glm::dvec3& direction) {
+  double farthest = 0.0;
+  for (const glm::dvec3& corner : outline.corners) farthest = std::max(farthest, glm::distance(corner, direction));
+  return farthest + outline.bulge;
+}
+
+bool is_outside(const NodeOutline& outline, double lowest, double highest, const glm::dvec3& eye,
+                const glm::dvec3& inwards) {
+  // The flat lid over the corners touches the highest sphere in its middle.
+  const double cosine = 1.0 - 0.5 * outline.half_width * outline.half_width;
+  if (cosine < 0.5) return false;
+  const double lid = highest / cosine, margin = outline.bulge * lid;
+  const double from_eye = glm::dot(inwards, eye);
+  return std::all_of(outline.corners.begin(), outline.corners.end(), [&](const glm::dvec3& corner) {
+    const double along = glm::dot(inwards, corner);
+    return along * lowest - from_eye < -margin && along * lid - from_eye < -margin;
+  });
+}
+
+}  // namespace terrella

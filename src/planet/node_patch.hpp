@@ -1,0 +1,45 @@
+// The vertices of a node and the triangles between them, which all nodes of a grid have in common.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace terrella {
+
+// What a vertex lies on and what neighbours share, as bits: sides from the first bit on, and corners.
+inline constexpr unsigned first_side = 1, first_corner = 16;
+inline constexpr unsigned all_sides = first_corner - 1;
+
+struct NodePatch {
+  struct Vertex {
+    int i = 0, j = 0;                // as NodeGrid::vertex_direction has them
+    std::uint16_t from = 0, to = 0;  // the vertices of the level above half way between which it lies; itself, twice,
+                                     // where it is one of those
+    unsigned touches = 0;            // sides and corners that it lies on
+  };
+
+  int cells = 0;       // along a side
+  unsigned sides = 0;  // 3 or 4
+  std::vector<Vertex> vertices;
+  std::vector<std::uint16_t> triangles;  // three vertices each, counter-clockwise from outside
+  std::vector<std::uint16_t> rim;        // vertices around it, clockwise from outside, each side's after one another
+
+  // Sets of sides that can have coarser neighbours.
+  [[nodiscard]] unsigned lists() const { return 1U << sides; }
+  // A patch's vertices and, beyond them, those of its rim once more, for skirts.
+  [[nodiscard]] std::size_t vertices_with_rim() const { return vertices.size() + rim.size(); }
+};
+
+// Of squares: i along x, j along y, which turn clockwise from outside; sides left, right, bottom, top; corners where
+// both are least, x is most, y is most, both are. cells: even, > 0.
+NodePatch square_patch(int cells);
+
+// Of triangles: from corner 0 on i towards 1 and j towards 2, i + j <= cells, which turn counter-clockwise from
+// outside; each side is opposite the corner of its number. cells: even, > 0.
+NodePatch triangle_patch(int cells);
+
+// Three vertices a triangle. coarser: the sides where the neighbour is of the level above: every second vertex there is
+// left out, so that each edge is one of the neighbour's. skirt: whether a skirt hangs from the rim.
+std::vector<std::uint16_t> node_triangles(const NodePatch& patch, unsigned coarser, bool skirt);
+
+}  // namespace terrella
