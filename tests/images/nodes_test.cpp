@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/still.hpp"
+#include "images/grounds.hpp"
 #include "laws/random_places.hpp"
 #include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
@@ -27,10 +28,10 @@ StillOptions still() {
 }
 
 // Steep all over, so that nodes differ much from the coarser ones.
-Scene rugged(double radius) {
+Scene rugged(int model, double radius) {
   Scene scene;
   scene.planet.radius = radius;
-  scene.terrain.model = 3;
+  scene.terrain.model = model;
   auto& terrain = scene.terrain;
   terrain.height = 2e-3 * radius;
   terrain.frequency = 40.0;
@@ -47,14 +48,19 @@ void stand_over_ground(Scene& scene, double clearance) {
   scene.camera.altitude = (ground + clearance - 1.0) * scene.planet.radius;
 }
 
-TEST(NodesInPictures, LeaveNoHole) {
+class NodesInPictures : public testing::TestWithParam<test::GroundOfNodes> {};
+
+INSTANTIATE_TEST_SUITE_P(Of, NodesInPictures, testing::ValuesIn(test::grounds_of_nodes),
+                         testing::PrintToStringParamName());
+
+TEST_P(NodesInPictures, LeaveNoHole) {
   test::Places places(11);
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
   const char* asked = std::getenv("TERRELLA_CAMERAS");
-  const int cameras = asked != nullptr ? std::atoi(asked) : test::sanitized ? 8 : 300;
-  Scene scene = rugged(6.36e6);
+  const int cameras = asked != nullptr ? std::atoi(asked) : test::sanitized ? 4 : 200;
+  Scene scene = rugged(GetParam().model, 6.36e6);
   std::int64_t looked_at = 0;
   for (int n = 0; n < cameras; ++n) {
     auto& camera = scene.camera;
@@ -84,11 +90,11 @@ TEST(NodesInPictures, LeaveNoHole) {
 }
 
 // The sea lies far over its floor, which is what nodes are made of.
-TEST(NodesInPictures, ShowTheSeaFromCloseAboveIt) {
+TEST_P(NodesInPictures, ShowTheSeaFromCloseAboveIt) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
-  Scene scene = rugged(6.36e6);
+  Scene scene = rugged(GetParam().model, 6.36e6);
   scene.terrain.height = 100.0;
   scene.terrain.ridged = false;
   scene.water.model = 1;
@@ -105,12 +111,12 @@ TEST(NodesInPictures, ShowTheSeaFromCloseAboveIt) {
 
 // A walker's eye: nothing trembles. Distances along the same rays change in proportion to the steps, but for the rays
 // that come to another triangle.
-TEST(NodesInPictures, ShowEveryMillimetreOfAWalk) {
+TEST_P(NodesInPictures, ShowEveryMillimetreOfAWalk) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
   for (const double radius : {1e3, 6.36e6, 1e8}) {
-    Scene scene = rugged(radius);
+    Scene scene = rugged(GetParam().model, radius);
     // Slopes as on a planet of 6360 km, and so many layers that the finest hills are a few metres wide.
     scene.terrain.octaves = radius > 1e7 ? 20 : radius > 1e5 ? 16 : 3;
     scene.camera.latitude = 37.0;
@@ -148,8 +154,9 @@ TEST(NodesInPictures, ShowEveryMillimetreOfAWalk) {
   }
 }
 
-TEST(NodesInPictures, AreTheSameOnEachKindOfOpenGl) {
+TEST_P(NodesInPictures, AreTheSameOnEachKindOfOpenGl) {
   Scene scene = find_preset("blue")->scene;
+  scene.terrain.model = GetParam().model;
   scene.camera.altitude = 3e5;
   scene.camera.pitch = -30.0;
   const auto picture = [&](Api api) {
@@ -161,10 +168,11 @@ TEST(NodesInPictures, AreTheSameOnEachKindOfOpenGl) {
 }
 
 // Made a few at a time as the eye moves, nodes end up as those that are made at once.
-TEST(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
+TEST_P(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Scene scene = find_preset("highlands")->scene;
+  scene.terrain.model = GetParam().model;
   scene.clouds.model = 0;
   View view;
   view.width = width;

@@ -8,74 +8,17 @@
 #include <functional>
 #include <string>
 
-#include "app/develop.hpp"
-#include "app/still.hpp"
-#include "measure/flip.hpp"
-#include "measure/image_error.hpp"
+#include "images/bare_ground.hpp"
+#include "images/reference_errors.hpp"
 #include "native/egl_context.hpp"
-#include "reference/picture.hpp"
-#include "sanitized.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
 namespace {
 
-constexpr int width = test::sanitized ? 24 : 160, height = test::sanitized ? 14 : 90, samples = 2;
-constexpr double seconds = 3.0;
-
-struct Errors {
-  double psnr = 0.0;  // dB, of linear light cut off at 1
-  double flip = 0.0;  // mean, of the pictures as they are seen
-  GeometryError geometry;
-};
-
-Image cut_off(Image light) {
-  for (float& value : light.pixels) value = std::min(value, 1.0F);
-  return light;
-}
-
-// Options: StillOptions or the reference's.
-template <class Options>
-Options asked_for(double time) {
-  Options options;
-  options.width = width;
-  options.height = height;
-  options.seconds = time;
-  options.samples = samples;
-  return options;
-}
-
-Errors errors_of(const Scene& scene, Renderer& renderer) {
-  const auto still = asked_for<StillOptions>(seconds);
-  const auto exact = asked_for<reference::Options>(seconds);
-  const Image drawn = take_measurement(renderer, scene, still, Channel::color), is = reference::light(scene, exact);
-  const reference::Geometry seen = reference::geometry(scene, exact);
-  Errors errors;
-  errors.psnr = psnr(cut_off(drawn), cut_off(is));
-  errors.flip = mean_of(flip(developed(is, scene.picture.tone), developed(drawn, scene.picture.tone)));
-  errors.geometry =
-      geometry_error(take_measurement(renderer, scene, still, Channel::distance),
-                     take_measurement(renderer, scene, still, Channel::normal), seen.distance, seen.normal);
-  return errors;
-}
-
-std::string text_of(const Errors& e) {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "%.1f dB, flip %.4f, silhouette %.4f, distance %.1e (p99 %.1e), normal %.2f deg (p99 %.1f)", e.psnr,
-                e.flip, e.geometry.silhouette, e.geometry.distance_median, e.geometry.distance_p99,
-                e.geometry.normal_median, e.geometry.normal_p99);
-  return text;
-}
-
-// Only the solid ground, with so few layers that pixels can show them all.
-Scene bare_ground() {
-  Scene scene;
-  scene.water.model = scene.clouds.model = scene.air.model = scene.stars.model = 0;
-  scene.terrain.octaves = 4;
-  scene.sun.glare = scene.sun.size = 0.0;
-  return scene;
-}
+using test::bare_ground;
+using test::Errors;
+using test::errors_of;
 
 Scene seen_from(Scene scene, double altitude, double pitch) {
   scene.camera.altitude = altitude;
@@ -84,35 +27,6 @@ Scene seen_from(Scene scene, double altitude, double pitch) {
 }
 
 Scene preset_scene(const char* name) { return find_preset(name)->scene; }
-
-// A ground of nodes on a planet of real size, from a height over it, with as many layers as pixels can show there.
-Scene real_ground(double latitude, double longitude, double clearance, double pitch) {
-  Scene scene = bare_ground();
-  scene.planet.radius = 6.36e6;
-  scene.planet.seed = 7;
-  auto& terrain = scene.terrain;
-  terrain.height = 11000.0;
-  terrain.frequency = 1.5;
-  terrain.power = 2.0;
-  terrain.ranges = 0.7;
-  terrain.range_layer = 4;
-  terrain.ridge_sharpness = 20.0;
-  scene.camera.latitude = latitude;
-  scene.camera.longitude = longitude;
-  scene.camera.altitude = 0.0;
-  scene.camera.pitch = pitch;
-  scene.camera.fov = 60.0;
-  scene.sun.latitude = latitude > 45.0 ? 45.0 : latitude;
-  scene.sun.longitude = longitude - 40.0;
-  const double shown = clearance / scene.planet.radius * 4.0 * 2.0 * 0.577 / 90.0;  // of a cell, rad
-  terrain.octaves = 0;
-  for (double f = terrain.frequency; f * shown < 1.0 && terrain.octaves < 32; f *= terrain.lacunarity)
-    ++terrain.octaves;
-  terrain.octaves = std::max(terrain.octaves, 5);
-  const double ground = glm::length(pose_of(scene, {}).eye) - 1.0 - least_clearance(scene);
-  scene.camera.altitude = ground * scene.planet.radius + clearance;
-  return scene;
-}
 
 struct Case {
   const char* name;
@@ -227,17 +141,6 @@ const Case cases[] = {
     {"dusk", [] { return preset_scene("dusk"); }, 28.8, 0.037, 0.003, 0.055, 3.3},
     {"night", [] { return preset_scene("night"); }, 29.2, 0.075, 0.0074, 0.046, 7.2},
     {"ocean", [] { return preset_scene("ocean"); }, 24.6, 0.078, 0.015, 0.052, 4.6},
-    {"nodes_10_m", [] { return real_ground(-41.3, 131.5, 10.0, -6.0); }, 27.0, 0.038, 0.0012, 0.031, 7.6},
-    {"nodes_100_m", [] { return real_ground(-41.3, 131.5, 100.0, -6.0); }, 31.7, 0.026, 0.0026, 0.039, 6.6},
-    {"nodes_1_km", [] { return real_ground(-41.3, 131.5, 1e3, -8.0); }, 29.4, 0.026, 0.0021, 0.041, 5.2},
-    {"nodes_10_km", [] { return real_ground(-41.3, 131.5, 1e4, -12.0); }, 31.8, 0.0195, 0.0023, 0.028, 3.9},
-    {"nodes_100_km", [] { return real_ground(-41.3, 131.5, 1e5, -20.0); }, 33.3, 0.0155, 0.0018, 0.017, 3.4},
-    {"nodes_1000_km", [] { return real_ground(-41.3, 131.5, 1e6, -45.0); }, 42.0, 0.0095, 0.001, 0.0043, 1.3},
-    {"nodes_10000_km", [] { return real_ground(-41.3, 131.5, 1e7, -90.0); }, 39.8, 0.006, 0.001, 0.0078, 0.17},
-    {"nodes_40000_km", [] { return real_ground(-41.3, 131.5, 4e7, -90.0); }, 47.4, 0.0014, 0.001, 0.0055, 0.3},
-    {"nodes_at_a_pole", [] { return real_ground(90.0, 10.0, 1e4, -20.0); }, 60.0, 0.001, 0.0005, 0.0008, 0.03},
-    {"nodes_at_the_date_line", [] { return real_ground(19.0, 180.0, 1e4, -20.0); }, 50.0, 0.0012, 0.0003, 0.0012, 0.04},
-    {"nodes_at_a_corner", [] { return real_ground(35.26438968, 45.0, 1e4, -20.0); }, 60.0, 0.001, 0.0003, 0.0009, 0.03},
     {"rings", [] { return preset_scene("rings"); }, 20.7, 0.14, 0.0083, 0.043, 6.4},
     {"desert", [] { return preset_scene("desert"); }, 19.4, 0.16, 0.0056, 0.029, 45},
     {"ice", [] { return preset_scene("ice"); }, 17.5, 0.17, 0.007, 0.056, 24},
@@ -252,7 +155,7 @@ TEST_P(AgainstReference, IsWithinItsFloor) {
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
   const Case& wanted = GetParam();
-  const Errors errors = errors_of(wanted.scene(), renderer);
+  const Errors errors = errors_of(wanted.scene(), renderer, test::Exact(wanted.scene()));
   if (std::getenv("TERRELLA_PRINT") != nullptr) std::printf("%-24s %s\n", wanted.name, text_of(errors).c_str());
   ASSERT_TRUE(std::isfinite(errors.psnr) && std::isfinite(errors.flip));
   if (test::sanitized) return;  // floors are those of larger pictures
@@ -285,7 +188,7 @@ TEST_P(Refined, ComesCloserToTheReference) {
     scene.quality.pixel_error = pixel_error;
     scene.quality.ground_texels = scene.quality.cloud_texels = texels;
     Renderer renderer;
-    all.push_back(errors_of(scene, renderer));
+    all.push_back(errors_of(scene, renderer, test::Exact(scene)));
     if (std::getenv("TERRELLA_PRINT") != nullptr)
       std::printf("%-24s %4.2f px, %4d texels: %s\n", wanted.name, pixel_error, texels, text_of(all.back()).c_str());
   }
@@ -345,10 +248,10 @@ TEST(CloudsBlendedInTime, AreThoseOfTheReference) {
   scene.clouds.model = 1;
   scene.terrain.model = 0;
   const auto psnr_at = [&](double time) {
-    const auto still = asked_for<StillOptions>(time);
-    const auto exact = asked_for<reference::Options>(time);
-    return psnr(cut_off(take_measurement(renderer, scene, still, Channel::color)),
-                cut_off(reference::light(scene, exact)));
+    const auto still = test::asked_for<StillOptions>(time);
+    const auto exact = test::asked_for<reference::Options>(time);
+    return psnr(test::cut_off(take_measurement(renderer, scene, still, Channel::color)),
+                test::cut_off(reference::light(scene, exact)));
   };
   psnr_at(0.0);
   const double interval = renderer.needs().cloud_interval;

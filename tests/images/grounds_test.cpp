@@ -1,0 +1,115 @@
+// The three grounds of a planet of real size against the reference and each other, from eight altitudes and where grids
+// have their corners. Floors and ceilings hold for each of them and stand a little beside the worst that was measured
+// with llvmpipe; `TERRELLA_PRINT=1 images_tests` prints all.
+#include "images/grounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "images/bare_ground.hpp"
+#include "images/reference_errors.hpp"
+#include "native/egl_context.hpp"
+#include "planet/needs.hpp"
+
+namespace terrella {
+namespace {
+
+struct Place {
+  const char* name;
+  double latitude, longitude, clearance, pitch;
+  double psnr;        // dB, at the least
+  double flip;        // at the most, as all that follow
+  double silhouette;  // parts of the picture
+  double distance;    // the 99th percentile, as a part of the true one
+  double normal;      // the median, degrees
+  double each_other;  // dB, at the least, of any two grounds
+};
+
+// The ground of a planet of real size, from a height over it, with as many layers as pixels can show there.
+Scene real_ground(double latitude, double longitude, double clearance, double pitch) {
+  Scene scene = test::bare_ground();
+  scene.planet.radius = 6.36e6;
+  scene.planet.seed = 7;
+  auto& terrain = scene.terrain;
+  terrain.height = 11000.0;
+  terrain.frequency = 1.5;
+  terrain.power = 2.0;
+  terrain.ranges = 0.7;
+  terrain.range_layer = 4;
+  terrain.ridge_sharpness = 20.0;
+  scene.camera.latitude = latitude;
+  scene.camera.longitude = longitude;
+  scene.camera.altitude = 0.0;
+  scene.camera.pitch = pitch;
+  scene.camera.fov = 60.0;
+  scene.sun.latitude = latitude > 45.0 ? 45.0 : latitude;
+  scene.sun.longitude = longitude - 40.0;
+  const double shown = clearance / scene.planet.radius * 4.0 * 2.0 * 0.577 / 90.0;  // of a cell, rad
+  terrain.octaves = 0;
+  for (double f = terrain.frequency; f * shown < 1.0 && terrain.octaves < 32; f *= terrain.lacunarity)
+    ++terrain.octaves;
+  terrain.octaves = std::max(terrain.octaves, 5);
+  const double ground = glm::length(pose_of(scene, {}).eye) - 1.0 - least_clearance(scene);
+  scene.camera.altitude = ground * scene.planet.radius + clearance;
+  return scene;
+}
+
+const Place places[] = {
+    {"from_10_m", -41.3, 131.5, 10.0, -6.0, 27.0, 0.038, 0.0012, 0.031, 7.6, 30.0},
+    {"from_100_m", -41.3, 131.5, 100.0, -6.0, 31.7, 0.026, 0.0026, 0.039, 6.6, 30.0},
+    {"from_1_km", -41.3, 131.5, 1e3, -8.0, 29.4, 0.026, 0.0021, 0.041, 5.2, 30.0},
+    {"from_10_km", -41.3, 131.5, 1e4, -12.0, 31.8, 0.0195, 0.0023, 0.028, 3.9, 30.0},
+    {"from_100_km", -41.3, 131.5, 1e5, -20.0, 33.3, 0.0155, 0.0018, 0.017, 3.4, 30.0},
+    {"from_1000_km", -41.3, 131.5, 1e6, -45.0, 42.0, 0.0095, 0.001, 0.0043, 1.3, 30.0},
+    {"from_10000_km", -41.3, 131.5, 1e7, -90.0, 39.8, 0.006, 0.001, 0.0078, 0.17, 30.0},
+    {"from_40000_km", -41.3, 131.5, 4e7, -90.0, 47.4, 0.0014, 0.001, 0.0055, 0.3, 30.0},
+    {"at_a_pole", 90.0, 10.0, 1e4, -20.0, 60.0, 0.001, 0.0005, 0.0008, 0.03, 30.0},
+    {"at_the_date_line", 19.0, 180.0, 1e4, -20.0, 50.0, 0.0012, 0.0003, 0.0012, 0.04, 30.0},
+    {"at_a_corner_of_the_cube", 35.26438968, 45.0, 1e4, -20.0, 60.0, 0.001, 0.0003, 0.0009, 0.03, 30.0},
+    {"at_a_corner_of_triangles", 26.56505118, 0.0, 1e4, -20.0, 60.0, 0.001, 0.0003, 0.0009, 0.03, 30.0},
+};
+
+class Grounds : public testing::TestWithParam<Place> {};
+
+TEST_P(Grounds, ShowTheSamePicture) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  const Place& place = GetParam();
+  Scene scene = real_ground(place.latitude, place.longitude, place.clearance, place.pitch);
+  const test::Exact exact(scene);
+  std::vector<Image> pictures;
+  for (const test::GroundOfNodes& ground : test::grounds_of_nodes) {
+    scene.terrain.model = ground.model;
+    Renderer renderer;
+    const test::Errors errors = errors_of(scene, renderer, exact);
+    pictures.push_back(test::cut_off(test::light_of(scene, renderer)));
+    if (std::getenv("TERRELLA_PRINT") != nullptr)
+      std::printf("%-26s%-16s %s\n", place.name, ground.name, text_of(errors).c_str());
+    ASSERT_TRUE(std::isfinite(errors.psnr) && std::isfinite(errors.flip));
+    if (test::sanitized) continue;  // floors are those of larger pictures
+    EXPECT_GE(errors.psnr, place.psnr) << ground.name;
+    EXPECT_LE(errors.flip, place.flip) << ground.name;
+    EXPECT_LE(errors.geometry.silhouette, place.silhouette) << ground.name;
+    EXPECT_LE(errors.geometry.distance_p99, place.distance) << ground.name;
+    EXPECT_LE(errors.geometry.normal_median, place.normal) << ground.name;
+  }
+  if (test::sanitized) return;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const double same = psnr(pictures[i], pictures[(i + 1) % pictures.size()]);
+    if (std::getenv("TERRELLA_PRINT") != nullptr) std::printf("%-26seach other %.1f dB\n", place.name, same);
+    EXPECT_GE(same, place.each_other);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfRealSize, Grounds, testing::ValuesIn(places),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+}  // namespace
+}  // namespace terrella
