@@ -83,12 +83,18 @@ double error_of_nodes(const Scene& scene, const Pose& pose, double apart) {
   return most;
 }
 
+// How far apart vertices of nodes are, as a part of their distance.
+double part_between_vertices(double split, int cells) {
+  constexpr double mean_distance = 1.4;  // of a node, of that at which it is split
+  return 1.0 / (mean_distance * split * cells);
+}
+
 // Nodes as far apart as can be, of as few cells as show the ground; where the most of them do not, more nodes. Neither
 // may change as the eye moves, which would mean to make all of them anew.
 void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
-  constexpr double most_split = 3.5, mean_distance = 1.4;  // of a node, of that at which it is split
+  constexpr double most_split = 3.5;
   const auto is_enough = [&](double split, int cells) {
-    return error_of_nodes(scene, pose, 1.0 / (mean_distance * split * cells)) <= scene.quality.pixel_error;
+    return error_of_nodes(scene, pose, part_between_vertices(split, cells)) <= scene.quality.pixel_error;
   };
   needs.ground_split = least_split;
   for (const int cells : {least_cells, 14, 20, most_cells}) {
@@ -111,6 +117,9 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
     ++needs.ground_deepest;
   }
   decide.add("ground.deepest", needs.ground_deepest, "the level whose vertices show the finest layer of noise");
+  needs.ground_spacing =
+      std::clamp(part_between_vertices(needs.ground_split, needs.ground_cells) * pose.clearance,
+                 vertex_spacing(needs.ground_deepest, needs.ground_cells), vertex_spacing(0, needs.ground_cells));
   needs.pixel_octaves_end =
       visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint_below(scene, pose));
   decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
@@ -133,6 +142,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("ground.level", needs.ground_level,
              "the coarsest mesh within quality.pixel_error, and no finer than level 6, or 7 where that is below 0.2 "
              "px, 8 below 0.1");
+  needs.ground_spacing = icosphere_edge(needs.ground_level);
   // In steps, so that the triangles do not change with every move of the camera.
   const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
   needs.ground_tolerance = std::exp2(0.25 * std::floor(4.0 * std::log2(allowed)));
