@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "planet/cube_grid.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -27,6 +30,32 @@ TEST(MayMove, IsFalseWhereNothingCan) {
   EXPECT_FALSE(may_move(still));
   scene.time.speed = 0.0;
   EXPECT_FALSE(may_move(scene));
+}
+
+// Other cells would mean to make all nodes anew, while a window is dragged larger or a view narrowed.
+TEST(CellsOfNodes, AreTheSameForPicturesOfAnySize) {
+  for (const char* preset : {"blue", "highlands", "isles", "dunes", "frozen", "giant"}) {
+    Scene scene = find_preset(preset)->scene;
+    const auto needs_for = [&](int rows, double fov) {
+      View view;
+      view.width = 2 * rows;
+      view.height = rows;
+      scene.camera.fov = fov;
+      return needs_of(scene, view, pose_of(scene, view));
+    };
+    const int usual = needs_for(720, 45.0).ground_cells;
+    double least = most_cells, most = 0.0;
+    for (const int rows : {90, 360, 720, 1440, 4320}) {
+      for (const double fov : {2.0, 45.0, 120.0}) {
+        const Needs needs = needs_for(rows, fov);
+        EXPECT_EQ(needs.ground_cells, usual) << preset << " " << rows << " " << fov;
+        least = std::min(least, needs.ground_split);
+        most = std::max(most, needs.ground_split);
+      }
+    }
+    // Finer pictures are still drawn more finely.
+    EXPECT_LT(least, most) << preset;
+  }
 }
 
 }  // namespace
