@@ -7,6 +7,7 @@
 #include "base/milliseconds.hpp"
 #include "planet/octaves.hpp"
 #include "planet/spheres.hpp"
+#include "planet/terrain.hpp"
 
 namespace terrella {
 namespace {
@@ -37,7 +38,6 @@ NodeRanges ranges_of(const Needs& needs) { return {needs.ground_split, needs.gro
 NodeMeshes::NodeMeshes() : cache_(node_slots) {}
 
 void NodeMeshes::start_anew(const Frame& frame) {
-  relief_ = relief_of(frame.scene);
   terrain_ = exact_terrain_of(frame.scene);
   cache_.clear();
   if (cells_ != frame.needs.ground_cells) make_room(frame.needs.ground_cells);
@@ -61,11 +61,11 @@ void NodeMeshes::make_room(int cells) {
 void NodeMeshes::update(const Frame& frame) {
   noise_evaluations_ = 0;
   is_full_ = false;  // another eye may leave room
-  if (relief_ != relief_of(frame.scene) || cells_ != frame.needs.ground_cells) start_anew(frame);
+  if (terrain_ != exact_terrain_of(frame.scene) || cells_ != frame.needs.ground_cells) start_anew(frame);
   for (const QuadNode& root : root_nodes()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
-  eye_ = eye_over(terrain_, frame.pose);
+  eye_ = eye_over(*terrain_, frame.pose);
   choose(frame);
   const auto start = std::chrono::steady_clock::now();
   const double time = time_for(frame.effort);
@@ -94,7 +94,7 @@ void NodeMeshes::make_missing(const Frame& frame, double time) {
 bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
   is_full_ = !cache_.has_room();
   if (is_full_) return false;
-  const NodeFrame made = make_node(node, cells_, terrain_, vertices_);
+  const NodeFrame made = make_node(node, cells_, *terrain_, vertices_);
   const int slot = *cache_.insert(node, made);
   textures_[0]->set_row(slot, vertices_.place);
   textures_[1]->set_row(slot, vertices_.coarser);
