@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -132,6 +133,23 @@ TEST(NodeMesh, HasTheTrueHeightsInSinglePrecision) {
       }
     }
   }
+}
+
+// What pixels scale their layers by is held in half floats, which lose what is below 1e-5.
+TEST(NodeMesh, TellsHowLayersRiseOnTheLowestGroundAsOnTheHighest) {
+  f64::Terrain low = exact_terrain_of(find_preset("blue")->scene), high = low;
+  low.height = 1e-7;
+  high.height = 1e-3;
+  const QuadNode node = {0, 3, 2, 5};
+  NodeVertices of_low, of_high;
+  make_node(node, 8, low, of_low);
+  make_node(node, 8, high, of_high);
+  float most = 0.0F;
+  for (std::size_t n = 0; n < of_low.rise.size(); ++n) {
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(of_low.rise[n][k], of_high.rise[n][k], 1e-5) << n;
+    most = std::max(most, of_low.rise[n].x);
+  }
+  EXPECT_GT(most, 0.1F);
 }
 
 }  // namespace
