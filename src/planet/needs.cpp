@@ -116,16 +116,17 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   decide.add("ground.split", needs.ground_split,
              "edges of a node within which it is split in four: more where its cells are not enough for the picture");
   const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
-  while (needs.ground_deepest < deepest_level &&
-         vertex_spacing(needs.ground_deepest, needs.ground_cells) * finest > 0.25) {
+  const auto spacing = [&](int level) { return vertex_spacing(level, needs.ground_cells); };
+  while (needs.ground_deepest < deepest_level && spacing(needs.ground_deepest) * finest > 0.25 &&
+         spacing(needs.ground_deepest + 1) >= finest_footprint) {
     ++needs.ground_deepest;
   }
   decide.add("ground.deepest", needs.ground_deepest, "the level whose vertices show the finest layer of noise");
   needs.ground_spacing =
       std::clamp(part_between_vertices(needs.ground_split, needs.ground_cells) * pose.clearance,
                  vertex_spacing(needs.ground_deepest, needs.ground_cells), vertex_spacing(0, needs.ground_cells));
-  needs.pixel_octaves_end =
-      visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint_below(scene, pose));
+  needs.pixel_octaves_end = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves,
+                                            std::max(footprint_below(scene, pose), finest_footprint));
   decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
 }
 

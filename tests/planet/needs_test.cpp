@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "planet/cube_grid.hpp"
+#include "planet/terrain.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -30,6 +32,30 @@ TEST(MayMove, IsFalseWhereNothingCan) {
   EXPECT_FALSE(may_move(still));
   scene.time.speed = 0.0;
   EXPECT_FALSE(may_move(scene));
+}
+
+// Nobody asks for layers that integers of 32 bits do not tell the cells of: not what stands on the ground, and neither
+// vertices nor pixels, however near the eye is.
+TEST(FinestLayers, HaveCellsThatIntegersTell) {
+  constexpr double most_cells_a_radian = 2147483648.0;
+  const auto is_told = [](double footprint) { return f64::layer_weight(most_cells_a_radian, footprint) == 0.0; };
+  EXPECT_TRUE(is_told(finest_footprint));
+  for (const char* preset : {"blue", "giant"}) {
+    Scene scene = find_preset(preset)->scene;
+    scene.planet.radius = 1e8;
+    scene.terrain.octaves = 32;
+    scene.terrain.lacunarity = 2.2;
+    scene.camera.altitude = 0.0;
+    const View view;
+    const Needs needs = needs_of(scene, view, pose_of(scene, view));
+    EXPECT_TRUE(is_told(vertex_spacing(needs.ground_deepest, needs.ground_cells))) << preset;
+    const double finest = scene.terrain.frequency * std::pow(scene.terrain.lacunarity, needs.pixel_octaves_end - 1);
+    EXPECT_LT(finest, most_cells_a_radian) << preset;
+    const glm::dvec3 below = direction_of(scene.camera.latitude, scene.camera.longitude);
+    Scene dry = scene;
+    dry.water.model = 0;
+    EXPECT_EQ(surface_radius(dry, below), exact_ground_radius(exact_terrain_of(dry), below, finest_footprint));
+  }
 }
 
 // Other cells would mean to make all nodes anew, while a window is dragged larger or a view narrowed.
