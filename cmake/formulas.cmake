@@ -29,6 +29,8 @@ foreach(file IN LISTS files)
                        "\\1\\3 (&\\4)\\5" text "${text}")
   string(REGEX REPLACE "([(, \n])(inout|out) +([A-Za-z0-9_]+) +" "\\1\\3& " text "${text}")
   string(REGEX REPLACE "\nconst " "\ninline const " text "${text}")
+  # C++ may ask whether two structs are the same; on the line that is there, so that later ones keep their numbers.
+  string(REGEX REPLACE "\nstruct ([A-Za-z0-9_]+) {" "\nstruct \\1 { bool operator==(const \\1&) const = default;" text "${text}")
   string(REGEX REPLACE "\n([A-Za-z0-9_]+ +[A-Za-z0-9_]+\\()" "\ninline \\1" text "${text}")
   string(SUBSTRING "${text}" 1 -1 text)
   string(APPEND formulas "#line 1 \"shaders/${file}\"\n${text}\n")

@@ -12,10 +12,14 @@ float held_of_layer(float frequency) {
   return mix(layer_weight(frequency, node_held.x), layer_weight(frequency, 2.0 * node_held.x), node_held.y);
 }
 
-// How strongly layers act, for unseen_slopes: those of ranges are steeper, as layer_slope_square says.
+// How strongly layers act, for unseen_slopes, which takes all of them for as steep as those that are no ridges of ranges.
+// Those ridges are the ones that a ridged ground has anyway, so that both rise together; else one knows nothing of the other.
 float layer_rise(GroundAt ground) {
-  float rise = node_height.y, ridges = 2.0 * node_height.z;
-  return sqrt(rise * rise + ridges * ridges) * amplitude_sum(terrain_persistence, terrain_octaves);
+  bool is_ridged = terrain_ridged != 0;
+  float rise = node_height.y, ridges = node_height.z;
+  float steeper = layer_slope_square(true, terrain_ridge_sharpness) / layer_slope_square(is_ridged, terrain_ridge_sharpness);
+  float together = is_ridged ? 2.0 * rise * ridges : 0.0;
+  return sqrt(rise * rise + together + steeper * ridges * ridges) * amplitude_sum(terrain_persistence, terrain_octaves);
 }
 
 // The ground at the pixel as fine as it can show it. up: unit; footprint: rad.

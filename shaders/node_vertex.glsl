@@ -1,13 +1,14 @@
 // A vertex of a ground of nodes, as the distance to the eye has it. src/passes/node_meshes.cpp fills textures, instances and
 // vertices; lengths in planet radii.
 #include "frame_block.glsl"
+#include "scene_block.glsl"
 
 // A row a node, a texel a vertex, row after row along x (src/planet/node_mesh.hpp).
 uniform sampler2D node_places;   // xyz: from the node's centre; w: height over its base
 uniform sampler2D node_coarser;  // what is added to them where the level above takes over
 uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: openness
 uniform sampler2D node_coarser_slopes;
-uniform sampler2D node_rises;  // xy: rise and ridges of Height; zw: what is added to them
+uniform sampler2D node_rises;  // xy: rise and ridges of Height, of terrain_height; zw: what is added to them
 uniform vec4 node_morph;  // x, y: distances, edges of a node, from which to which one level passes to the next; z: square of the eye's lift; w: skirt, rad
 uniform int node_cells;   // along a side of a node
 
@@ -48,7 +49,7 @@ NodeVertex node_vertex() {
   own += part * texelFetch(node_coarser, texel, 0);
   vec4 rise = texelFetch(node_rises, texel, 0);
   node_slope = texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
-  node_height = vec3(node_sea.w + own.w, rise.xy + part * rise.zw);
+  node_height = vec3(node_sea.w + own.w, terrain_height * (rise.xy + part * rise.zw));
   node_held = vec2(node_along.w / float(node_cells), part);
   node_layers = node_around.yz;
   NodeVertex v;

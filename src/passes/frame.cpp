@@ -95,8 +95,8 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);
   block.water_extinction = vector(water_look_of(scene).extinction);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);
-  block.slopes = glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)),
-                           unseen_slopes(scene, icosphere_edge(needs.ground_level)), 0.0, 0.0);
+  block.slopes =
+      glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)), unseen_slopes(scene, needs.ground_spacing), 0.0, 0.0);
   block.sky_glow = vector(light.sky_glow);
   // Points of light have their size in the picture that is shown; where fewer pixels are drawn they are as small as can
   // be, and dimmer for it.

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "passes/layers.hpp"
-#include "planet/terrain.hpp"
 
 namespace terrella {
 namespace {
@@ -22,7 +21,7 @@ bool lower(const RadiusRange& a, const RadiusRange& b) { return a.lowest < b.low
 GroundIcosphere::GroundIcosphere(SphereMeshes& spheres) : spheres_(spheres) {}
 
 void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {
-  const Relief relief = relief_of(scene);
+  const f64::Terrain relief = exact_terrain_of(scene);
   if (relief_ == relief || begun_relief_ == relief) return;
   begun_relief_ = relief;
   std::vector<glm::vec3> positions;
@@ -36,7 +35,7 @@ void GroundIcosphere::want(const Needs& needs) {
 
 void GroundIcosphere::update(const Frame& frame) {
   noise_evaluations_ = 0;
-  const Relief relief = relief_of(frame.scene);
+  const f64::Terrain relief = exact_terrain_of(frame.scene);
   const bool changed = relief_ != relief;
   if (changed) {
     if (frame.effort != Effort::complete) begin(frame.scene, frame.needs);

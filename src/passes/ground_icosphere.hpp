@@ -12,7 +12,7 @@
 #include "gl/uniform_buffer.hpp"
 #include "passes/cube_bake.hpp"
 #include "passes/ground.hpp"
-#include "planet/relief.hpp"
+#include "planet/terrain.hpp"
 
 namespace terrella {
 
@@ -78,8 +78,8 @@ class GroundIcosphere : public GroundPass {
   gl::Program bake_program_{"ground/bake", "picture/cube_face"};
   gl::ProgramChoice draw_program_{"ground/icosphere"};
   gl::UniformBuffer layers_;
-  std::optional<Relief> relief_;
-  std::optional<Relief> begun_relief_;
+  std::optional<f64::Terrain> relief_;
+  std::optional<f64::Terrain> begun_relief_;
   std::optional<Surface> begun_;  // coarse, of begun_relief_, not yet drawn
   std::optional<Surface> coarse_;
   std::unique_ptr<gl::CubeMap> coarse_map_;

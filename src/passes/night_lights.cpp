@@ -14,7 +14,7 @@ void NightLights::update(const Frame& frame) {
   const Scene& scene = frame.scene;
   const Key key = {{scene.planet, scene.terrain, water_level(scene), scene.water.ice_latitude, scene.lights.density,
                     scene.lights.seed},
-                   frame.needs.ground_level};
+                   ground_level(scene)};
   // From one fineness of the ground to another lights move by less than is seen, and to find them takes long.
   const bool exactly = frame.effort == Effort::complete;
   settled_ = key_ && key_->places == key.places && (!exactly || key_->ground_level == key.ground_level);

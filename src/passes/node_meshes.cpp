@@ -7,6 +7,7 @@
 #include "base/milliseconds.hpp"
 #include "planet/octaves.hpp"
 #include "planet/spheres.hpp"
+#include "planet/terrain.hpp"
 
 namespace terrella {
 namespace {
@@ -35,7 +36,6 @@ glm::vec4 vector(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v,
 NodeMeshes::NodeMeshes() : cache_(node_slots) {}
 
 void NodeMeshes::start_anew(const Frame& frame) {
-  relief_ = relief_of(frame.scene);
   terrain_ = exact_terrain_of(frame.scene);
   cache_.clear();
 }
@@ -68,12 +68,12 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   const bool other_grid = grid_ != grid, other_nodes = other_grid || patch_.cells != cells;
   grid_ = std::move(grid);
   if (other_nodes) make_room(cells);
-  if (other_nodes || relief_ != relief_of(frame.scene)) start_anew(frame);
+  if (other_nodes || terrain_ != exact_terrain_of(frame.scene)) start_anew(frame);
   ranges_ = ranges_for(*grid_, frame.needs.ground_split, frame.needs.ground_finest, cells);
   for (const QuadNode& root : grid_->roots()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
-  eye_ = eye_over(terrain_, frame.pose);
+  eye_ = eye_over(*terrain_, frame.pose);
   choose(frame);
   const auto start = std::chrono::steady_clock::now();
   const double time = time_for(frame.effort);
@@ -102,7 +102,7 @@ void NodeMeshes::make_missing(const Frame& frame, double time) {
 bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
   is_full_ = !cache_.has_room();
   if (is_full_) return false;
-  const NodeFrame made = make_node(*grid_, patch_, node, terrain_, vertices_);
+  const NodeFrame made = make_node(*grid_, patch_, node, *terrain_, vertices_);
   const int slot = *cache_.insert(node, made);
   textures_[0]->set_row(slot, vertices_.place);
   textures_[1]->set_row(slot, vertices_.coarser);

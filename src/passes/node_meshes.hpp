@@ -12,7 +12,6 @@
 #include "gl/texture.hpp"
 #include "passes/frame.hpp"
 #include "planet/node_choice.hpp"
-#include "planet/relief.hpp"
 
 namespace terrella {
 
@@ -61,11 +60,10 @@ class NodeMeshes {
   NodeChoice choice_;
   NodeEye eye_;
   NodeVertices vertices_;
-  std::optional<Relief> relief_;
   std::shared_ptr<const NodeGrid> grid_;
   NodePatch patch_;
   NodeRanges ranges_;
-  f64::Terrain terrain_{};
+  std::optional<f64::Terrain> terrain_;
   std::array<std::unique_ptr<gl::Image>, 5> textures_;
   std::array<Run, 16> lists_;  // of the triangles, by the sides with coarser neighbours
   std::unique_ptr<gl::Instances> meshes_;

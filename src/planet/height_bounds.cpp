@@ -42,10 +42,11 @@ HeightRange change_with_ranges(const f64::Terrain& terrain, const HeightRange& c
                                double of_layers) {
   constexpr double steepest_cover = 6.0, steepest_cube = 3.0;
   const double ridges = change_of_layers(terrain, terrain.ranges.first, true, footprint, apart);
-  // A power below 1 is steepest at 0, and there nowhere above 1.
-  const double smooth = std::min(std::max(terrain.power, 1.0) * of_layers, 1.0);
+  // A power below 1 is steepest at 0, and there nowhere above 1; with none the ground under the ranges is flat.
+  const double smooth = terrain.power > 0.0 ? std::min(std::max(terrain.power, 1.0) * of_layers, 1.0) : 0.0;
   const double ranges = std::min(steepest_cover * of_layers + steepest_cube * ridges, 1.0);
-  const double power_below_one = terrain.power < 1.0 ? std::pow(of_layers, terrain.power) : smooth;
+  const double power_below_one =
+      terrain.power > 0.0 && terrain.power < 1.0 ? std::pow(of_layers, terrain.power) : smooth;
   const double change =
       terrain.height * ((1.0 - terrain.ranges.part) * std::max(smooth, power_below_one) + terrain.ranges.part * ranges);
   return {std::max(computed.lowest - change, 0.0), std::min(computed.highest + change, terrain.height)};
@@ -61,7 +62,8 @@ bool may_freeze(const f64::Ice& ice, const glm::dvec3& direction, double distanc
 HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart,
                            bool may_freeze) {
   HeightRange range = computed;
-  if (terrain.octaves > 0 && terrain.height > 0.0 && terrain.power > 0.0) {
+  const bool is_flat = terrain.power == 0.0 && terrain.ranges.part == 0.0;
+  if (terrain.octaves > 0 && terrain.height > 0.0 && !is_flat) {
     // In the sum of layers, before the power that makes plains flat: there changes are the same at any height.
     double change = change_of_layers(terrain, 0, terrain.ridged, footprint, apart);
     if (terrain.craters.depth > 0.0) change += change_by_craters(terrain.craters, footprint, apart) / terrain.height;

@@ -74,46 +74,59 @@ int sphere_level(double allowed) {
 // About how far (pixels) flat triangles between the vertices of nodes miss the ground in all but a hundredth of places,
 // as steep as they are most of the way up; among the highest mountains it is more (tests/planet/node_error_test.cpp).
 // apart: vertices to a distance.
-double error_of_nodes(const Scene& scene, const Pose& pose, double apart) {
+double error_of_nodes(const Scene& scene, double pixel_angle, double apart) {
   constexpr double of_deviation = 3.3, nearest = 1e-7, farthest = 2.0;  // planet radii
   double most = 0.0;
   for (double distance = nearest; distance < farthest; distance *= 4.0) {
-    const double spacing = apart * distance, pixel = pose.pixel_angle * distance;
+    const double spacing = apart * distance, pixel = pixel_angle * distance;
     const double missed = of_deviation * unseen_heights(scene, spacing, 0.5 * pixel) + spacing * spacing / 8.0;
     most = std::max(most, missed / pixel);
   }
   return most;
 }
 
-// Nodes as far apart as can be, of as few cells as show the ground; where the most of them do not, more nodes. Neither
-// may change as the eye moves, which would mean to make all of them anew.
+// How far apart vertices of nodes are, as a part of their distance.
+double part_between_vertices(double split, int cells) {
+  constexpr double mean_distance = 1.4;  // of a node, of that at which it is split
+  return 1.0 / (mean_distance * split * cells);
+}
+
+// Nodes of as few cells as show the ground in a picture of usual size. What picture is drawn in truth only tells how
+// far from the eye they are split: other cells would mean to make all of them anew, while a window is resized or its
+// view narrowed. Neither depends on where the eye is.
 void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
-  constexpr double most_split = 3.5, mean_distance = 1.4;  // of a node, of that at which it is split
-  const auto is_enough = [&](double split, int cells) {
-    return error_of_nodes(scene, pose, 1.0 / (mean_distance * split * cells)) <= scene.quality.pixel_error;
+  constexpr double most_split = 3.5, usual_pixel = 2.0 * 0.414 / 720.0;  // rad, of 45 degrees
+  const auto is_enough = [&](double split, int cells, double pixel_angle) {
+    return error_of_nodes(scene, pixel_angle, part_between_vertices(split, cells)) <= scene.quality.pixel_error;
   };
   const double least = least_split(needs.ground == Ground::triangle_lod ? 1.0 : std::numbers::sqrt2);
-  needs.ground_split = least;
   for (const int cells : {least_cells, 14, 20, most_cells}) {
     needs.ground_cells = cells;
-    if (is_enough(least, cells)) return;
+    if (is_enough(least, cells, usual_pixel)) break;
   }
-  while (needs.ground_split < most_split && !is_enough(needs.ground_split, most_cells)) needs.ground_split += 0.25;
+  needs.ground_split = least;
+  while (needs.ground_split < most_split && !is_enough(needs.ground_split, needs.ground_cells, pose.pixel_angle)) {
+    needs.ground_split += 0.25;
+  }
 }
 
 // Nodes, and what pixels add to their vertices.
 [[maybe_unused]] void decide_nodes(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& terrain = scene.terrain;
   decide_fineness(needs, scene, pose);
-  decide.add("ground.cells", needs.ground_cells, "along a side of a node: as few as quality.pixel_error allows");
+  decide.add("ground.cells", needs.ground_cells,
+             "along a side of a node: as few as quality.pixel_error allows in a picture of 720 rows");
   decide.add("ground.split", needs.ground_split,
-             "edges of a node within which it is split in four: more where the most cells are not enough");
+             "edges of a node within which it is split in four: more where its cells are not enough for the picture");
   const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
-  needs.ground_finest = 0.25 / finest;
+  needs.ground_finest = std::max(0.25 / finest, 2.0 * finest_footprint);
   decide.add("ground.finest", needs.ground_finest * scene.planet.radius,
              "m between vertices, which shows the finest layer of noise: no closer anywhere");
-  needs.pixel_octaves_end =
-      visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint_below(scene, pose));
+  constexpr double coarsest_spacing = 0.2;  // about that of undivided nodes of the fewest cells
+  needs.ground_spacing = std::clamp(part_between_vertices(needs.ground_split, needs.ground_cells) * pose.clearance,
+                                    std::min(needs.ground_finest, coarsest_spacing), coarsest_spacing);
+  needs.pixel_octaves_end = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves,
+                                            std::max(footprint_below(scene, pose), finest_footprint));
   decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
 }
 
@@ -134,6 +147,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   decide.add("ground.level", needs.ground_level,
              "the coarsest mesh within quality.pixel_error, and no finer than level 6, or 7 where that is below 0.2 "
              "px, 8 below 0.1");
+  needs.ground_spacing = icosphere_edge(needs.ground_level);
   // In steps, so that the triangles do not change with every move of the camera.
   const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
   needs.ground_tolerance = std::exp2(0.25 * std::floor(4.0 * std::log2(allowed)));

@@ -18,10 +18,11 @@ struct Vertex {
 Vertex vertex_at(const glm::dvec3& direction, const glm::dvec3& middle, const f64::Terrain& terrain, double spacing) {
   const f64::Height ground = f64::terrain_height_at(direction, terrain, spacing);
   const glm::dvec3 along = ground.gradient - glm::dot(ground.gradient, direction) * direction;
+  const double of_height = terrain.height > 0.0 ? 1.0 / terrain.height : 0.0;
   return {direction - middle + ground.value * direction,
           ground.value,
           glm::dvec4(along, ground.openness),
-          {ground.rise, ground.ridges}};
+          {of_height * ground.rise, of_height * ground.ridges}};
 }
 
 Vertex between(const Vertex& a, const Vertex& b) {

@@ -14,6 +14,10 @@ namespace terrella {
 f64::Terrain exact_terrain_of(const Scene& scene);
 f32::Terrain terrain_of(const Scene& scene);
 
+// Samples this close (rad) ask for layers as fine as integers of 32 bits can tell the cells of: three millimetres on an
+// Earth, a hand's breadth on the largest planet.
+inline constexpr double finest_footprint = 5e-10;
+
 // Work of one height among samples a footprint (rad) apart, in evaluations of noise, at least 1. A size of craters
 // takes as long as three (measured); ice is looked for only around the poles.
 int noise_per_height(const Scene& scene, double footprint);

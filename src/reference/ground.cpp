@@ -129,7 +129,10 @@ Range Ground::ranges_over(const Range& means, const Range& ridges) const {
 Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
   const double ice = may_freeze(terrain_.ice, direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
   if (terrain_.octaves == 0 || terrain_.height <= 0.0) return {0.0, ice};
-  if (terrain_.power == 0.0 && total_ridges_ == 0.0) return {terrain_.height, std::max(terrain_.height, ice)};
+  if (terrain_.power == 0.0 && total_ridges_ == 0.0) {
+    const Range flat = heights_of({0.0, 0.0});
+    return {flat.least, std::max(flat.most, ice)};
+  }
   const f64::Craters& craters = terrain_.craters;
   PartialSum layers, ridges;
   layers.unknown = total_;

@@ -188,5 +188,27 @@ TEST_P(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
   EXPECT_EQ(at_once.read_light(), bit_by_bit.read_light());
 }
 
+// While a colour is dragged, nothing is made of what only heights depend on.
+TEST_P(NodesInPictures, AreKeptWhileColoursChange) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Scene scene = find_preset("highlands")->scene;
+  scene.terrain.model = GetParam().model;
+  scene.clouds.model = 0;
+  Renderer renderer;
+  const auto noise_of_picture = [&] {
+    take_measurement(renderer, scene, still(), Channel::distance);
+    return renderer.stats().noise_evaluations;
+  };
+  noise_of_picture();
+  const std::int64_t unchanged = noise_of_picture();
+  scene.terrain.land_color = Color::from_hex(0x204060);
+  scene.terrain.snow_height *= 0.5;
+  scene.terrain.softness = 0.9;
+  EXPECT_EQ(noise_of_picture(), unchanged);
+  scene.terrain.persistence *= 0.99;
+  EXPECT_GT(noise_of_picture(), unchanged);
+}
+
 }  // namespace
 }  // namespace terrella

@@ -159,5 +159,24 @@ TEST_P(NodeMeshes, HaveTheTrueHeightsInSinglePrecision) {
   }
 }
 
+// What pixels scale their layers by is held in half floats, which lose what is below 1e-5.
+TEST(NodeMesh, TellsHowLayersRiseOnTheLowestGroundAsOnTheHighest) {
+  f64::Terrain low = exact_terrain_of(find_preset("blue")->scene), high = low;
+  low.height = 1e-7;
+  high.height = 1e-3;
+  const CubeGrid grid;
+  const NodePatch patch = grid.patch(8);
+  const QuadNode node = {0, 3, 2, 5};
+  NodeVertices of_low, of_high;
+  make_node(grid, patch, node, low, of_low);
+  make_node(grid, patch, node, high, of_high);
+  float most = 0.0F;
+  for (std::size_t n = 0; n < of_low.rise.size(); ++n) {
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(of_low.rise[n][k], of_high.rise[n][k], 1e-5) << n;
+    most = std::max(most, of_low.rise[n].x);
+  }
+  EXPECT_GT(most, 0.1F);
+}
+
 }  // namespace
 }  // namespace terrella
