@@ -65,7 +65,7 @@ void NodeMeshes::update(const Frame& frame) {
   for (const QuadNode& root : root_nodes()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
-  eye_ = eye_over(*terrain_, frame.pose);
+  eye_ = eye_over(*terrain_, frame.levels_for != nullptr ? *frame.levels_for : frame.pose);
   choose(frame);
   const auto start = std::chrono::steady_clock::now();
   const double time = time_for(frame.effort);

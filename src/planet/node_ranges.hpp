@@ -34,7 +34,8 @@ struct NodeRanges {
   [[nodiscard]] double morph_end() const { return 2.0 * split; }
 };
 
-// A split below this would leave no room to pass from shape to shape.
-inline constexpr double least_split = 1.75;
+// A split below this would leave too little room to pass from shape to shape: a step of 1 % nearer takes a vertex a
+// twentieth of the way.
+inline constexpr double least_split = 2.5;
 
 }  // namespace terrella
