@@ -114,17 +114,6 @@ Scene real_ground(double latitude, double longitude, double clearance, double pi
   return scene;
 }
 
-// Of real size, from above its night.
-Scene real_night() {
-  Scene scene = seen_from(find_preset("blue")->scene, 8e6, -90.0);
-  scene.clouds.model = scene.stars.model = 0;
-  scene.lights.density = 1.0;
-  scene.sun.latitude = -scene.camera.latitude;
-  scene.sun.longitude = scene.camera.longitude + 180.0;
-  scene.picture.exposure = 2.0;
-  return scene;
-}
-
 struct Case {
   const char* name;
   std::function<Scene()> scene;
@@ -249,7 +238,6 @@ const Case cases[] = {
     {"nodes_at_a_pole", [] { return real_ground(90.0, 10.0, 1e4, -20.0); }, 60.0, 0.001, 0.0005, 0.0008, 0.03},
     {"nodes_at_the_date_line", [] { return real_ground(19.0, 180.0, 1e4, -20.0); }, 50.0, 0.0012, 0.0003, 0.0012, 0.04},
     {"nodes_at_a_corner", [] { return real_ground(35.26438968, 45.0, 1e4, -20.0); }, 60.0, 0.001, 0.0003, 0.0009, 0.03},
-    {"nodes_by_night", real_night, 20.0, 0.1, 0.01, 0.03, 5.0},
     {"rings", [] { return preset_scene("rings"); }, 20.7, 0.14, 0.0083, 0.043, 6.4},
     {"desert", [] { return preset_scene("desert"); }, 19.4, 0.16, 0.0056, 0.029, 45},
     {"ice", [] { return preset_scene("ice"); }, 17.5, 0.17, 0.007, 0.056, 24},
