@@ -51,7 +51,8 @@ struct Frame {
   const Sea& sea;
   Channel channel = Channel::color;
   Effort effort = Effort::complete;
-  Rows rows;  // of the picture that are drawn now; all else of it is as for the whole
+  Rows rows;                         // of the picture that are drawn now; all else of it is as for the whole
+  const Pose* levels_for = nullptr;  // for which levels of detail of nodes are chosen; none: its own
 };
 
 // Whether its rows are all that the picture has.

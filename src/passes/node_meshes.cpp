@@ -73,7 +73,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   for (const QuadNode& root : grid_->roots()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
-  eye_ = eye_over(*terrain_, frame.pose);
+  eye_ = eye_over(*terrain_, frame.levels_for != nullptr ? *frame.levels_for : frame.pose);
   choose(frame);
   const auto start = std::chrono::steady_clock::now();
   const double time = time_for(frame.effort);

@@ -146,7 +146,10 @@ void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
 
 Frame Renderer::frame_of(const Rows& rows) const {
   CHECK(begun_, rows.first);
-  return {begun_->scene, begun_->view, pose_, needs_, begun_->sea, begun_->shot.channel, effort_, rows};
+  const auto& levels_for = begun_->shot.levels_for;
+  return {begun_->scene, begun_->view, pose_,
+          needs_,        begun_->sea,  begun_->shot.channel,
+          effort_,       rows,         levels_for ? &*levels_for : nullptr};
 }
 
 void Renderer::draw_rows(const Rows& rows) {

@@ -28,6 +28,9 @@ struct Shot {
   Channel channel = Channel::color;
   Effort effort = Effort::complete;
   bool full_float = false;  // 32 bit floats instead of 16
+  // For which levels of detail of a ground of nodes are chosen, where not for the picture's own: shows what changes
+  // with them alone.
+  std::optional<Pose> levels_for = std::nullopt;
 };
 
 // Work of the last frame, and what is held.

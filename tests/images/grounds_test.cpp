@@ -61,6 +61,8 @@ Scene real_ground(double latitude, double longitude, double clearance, double pi
   return scene;
 }
 
+void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
+
 const Place places[] = {
     {"from_10_m", -41.3, 131.5, 10.0, -6.0, 27.0, 0.038, 0.0012, 0.031, 7.6, 30.0},
     {"from_100_m", -41.3, 131.5, 100.0, -6.0, 31.7, 0.026, 0.0026, 0.039, 6.6, 30.0},

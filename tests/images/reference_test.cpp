@@ -28,17 +28,6 @@ Scene seen_from(Scene scene, double altitude, double pitch) {
 
 Scene preset_scene(const char* name) { return find_preset(name)->scene; }
 
-// A planet of real size, from above its night.
-Scene real_night() {
-  Scene scene = seen_from(find_preset("blue")->scene, 8e6, -90.0);
-  scene.clouds.model = scene.stars.model = 0;
-  scene.lights.density = 1.0;
-  scene.sun.latitude = -scene.camera.latitude;
-  scene.sun.longitude = scene.camera.longitude + 180.0;
-  scene.picture.exposure = 2.0;
-  return scene;
-}
-
 struct Case {
   const char* name;
   std::function<Scene()> scene;
@@ -152,7 +141,6 @@ const Case cases[] = {
     {"dusk", [] { return preset_scene("dusk"); }, 28.8, 0.037, 0.003, 0.055, 3.3},
     {"night", [] { return preset_scene("night"); }, 29.2, 0.075, 0.0074, 0.046, 7.2},
     {"ocean", [] { return preset_scene("ocean"); }, 24.6, 0.078, 0.015, 0.052, 4.6},
-    {"night_of_real_size", real_night, 20.0, 0.1, 0.01, 0.03, 5.0},
     {"rings", [] { return preset_scene("rings"); }, 20.7, 0.14, 0.0083, 0.043, 6.4},
     {"desert", [] { return preset_scene("desert"); }, 19.4, 0.16, 0.0056, 0.029, 45},
     {"ice", [] { return preset_scene("ice"); }, 17.5, 0.17, 0.007, 0.056, 24},
