@@ -70,7 +70,7 @@ int sphere_level(double allowed) {
 }
 
 // About how far (pixels) flat triangles between the vertices of nodes miss the ground in all but a hundredth of places,
-// as steep as they are most of the way up; among the highest mountains it is more (tests/planet/node_error_test.cpp).
+// as steep as they are most of the way up; among the highest mountains it is more (tests/measure/node_errors_test.cpp).
 // apart: vertices to a distance.
 double error_of_nodes(const Scene& scene, const Pose& pose, double apart) {
   constexpr double of_deviation = 3.3, nearest = 1e-7, farthest = 2.0;  // planet radii
