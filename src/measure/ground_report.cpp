@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Cells = std::vector<std::string>;
 
-const Cells heads = {"scene",  "altitude, m", "model",   "asked, px", "pixel_error", "median",  "p99",
-                     "most",   "upright",     "nodes",   "vertices",  "triangles",   "skirts",  "seen",
-                     "of sea", "made",        "look ms", "choose ms", "make ms",     "frame ms"};
+const Cells heads = {"scene",   "altitude, m", "model",   "asked, px", "pixel_error", "median",    "p99",    "most",
+                     "upright", "cells",       "split",   "nodes",     "vertices",    "triangles", "skirts", "seen",
+                     "of sea",  "made",        "look ms", "choose ms", "make ms",     "frame ms"};
 
 Cells cells_of(const GroundRow& row) {
   const GroundMeasured& m = row.measured;
@@ -30,6 +30,8 @@ Cells cells_of(const GroundRow& row) {
           printed_number(m.seen.p99, 3),
           printed_number(m.seen.most, 3),
           printed_number(m.upright.p99, 3),
+          text_of(m.cells),
+          figure(m.split),
           text_of(m.ground.nodes),
           text_of(m.ground.vertices),
           text_of(m.ground.triangles),
@@ -97,7 +99,8 @@ constexpr const char* columns = R"(<h2>What the columns say</h2>
 <p>Each view is drawn with the largest quality.pixel_error (column pixel_error) by which 99 of 100 places of the ground
 are off by no more than is asked. Errors are measured in double precision at random places of the triangles that the
 picture shows: from where it shows the place to where it shows the ground above or below (median, p99, most), in pixels;
-upright is the p99 of how long that way is seen across the line of sight, as it never quite is from above. Nodes,
+upright is the p99 of how long that way would be across the line of sight, as it never quite is from above. Nodes, of so
+many cells along a side and split in four within so many of their edges,
 vertices and triangles are all that the GPU is given for the ground, skirts apart; seen are those of its triangles that
 turn to the eye, lie in the picture and have neither sea nor planet before them; the sea is drawn with triangles of its
 own. Made are nodes, also coarser ones that are not drawn, from nothing within make ms. Of every frame, on one core: look

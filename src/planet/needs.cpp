@@ -91,7 +91,7 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
     return error_of_nodes(scene, pose, 1.0 / (mean_distance * split * cells)) <= scene.quality.pixel_error;
   };
   needs.ground_split = least_split;
-  for (const int cells : {least_cells, 14, 20, most_cells}) {
+  for (int cells = least_cells; cells <= most_cells; cells += 2) {
     needs.ground_cells = cells;
     if (is_enough(least_split, cells)) return;
   }
