@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "measure/ground_models.hpp"
 #include "native/cmd_measure.hpp"
 #include "run_command.hpp"
 #include "sanitized.hpp"
@@ -103,6 +104,7 @@ TEST(MeasureCommand, MeasuresGroundsAndDrawsThem) {
   EXPECT_NE(told.find("| blue "), std::string::npos) << told;
   const auto report = nlohmann::json::parse(std::ifstream(folder / "report.json"));
   EXPECT_EQ(report["size"], (nlohmann::json{32, 18}));
+  EXPECT_EQ(report["rows"].size(), 6 * ground_models().size());  // from three altitudes, for 1 and 2 pixels
   EXPECT_EQ(outcome.code, report["broken"].empty() ? 0 : 1) << outcome.said;
   for (const auto& row : report["rows"]) EXPECT_GT(row["frame_ms"]["median"], 0.0);
   EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
