@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Cells = std::vector<std::string>;
 
-const Cells heads = {"scene",   "altitude, m", "model",   "asked, px", "pixel_error", "median",    "p99",    "most",
-                     "upright", "cells",       "split",   "nodes",     "vertices",    "triangles", "skirts", "seen",
-                     "of sea",  "made",        "look ms", "choose ms", "make ms",     "frame ms"};
+const Cells heads = {"scene",   "altitude, m", "model", "asked, px", "pixel_error", "median",    "p99",     "most",
+                     "upright", "cells",       "split", "nodes",     "vertices",    "triangles", "skirts",  "seen",
+                     "coarse",  "of sea",      "made",  "look ms",   "choose ms",   "make ms",   "frame ms"};
 
 Cells cells_of(const GroundRow& row) {
   const GroundMeasured& m = row.measured;
@@ -37,6 +37,7 @@ Cells cells_of(const GroundRow& row) {
           text_of(m.ground.triangles),
           text_of(m.ground.skirt_triangles),
           text_of(m.seen_triangles),
+          text_of(m.coarse_triangles),
           text_of(m.sea.triangles + m.sea.skirt_triangles),
           text_of(m.made),
           printed_number(m.look_ms, 2),
@@ -70,6 +71,7 @@ Json json_of(const GroundRow& row) {
                {"ground", json_of(m.ground)},
                {"sea", json_of(m.sea)},
                {"seen_triangles", m.seen_triangles},
+               {"coarse_triangles", m.coarse_triangles},
                {"made", m.made},
                {"lacking", m.lacking},
                {"look_ms", m.look_ms},
@@ -102,7 +104,8 @@ picture shows: from where it shows the place to where it shows the ground above 
 upright is the p99 of how long that way would be across the line of sight, as it never quite is from above. Nodes, of so
 many cells along a side and split in four within so many of their edges,
 vertices and triangles are all that the GPU is given for the ground, skirts apart; seen are those of its triangles that
-turn to the eye, lie in the picture and have neither sea nor planet before them; the sea is drawn with triangles of its
+turn to the eye, lie in the picture and have neither sea nor planet before them, coarse those that have passed wholly to the shape of the
+level above, which a quarter as many would show; the sea is drawn with triangles of its
 own. Made are nodes, also coarser ones that are not drawn, from nothing within make ms. Of every frame, on one core: look
 ms to measure how near the ground is, choose ms to choose, to leave out what is not seen, and to sort. Frame ms is that of
 the whole picture, where frames were drawn.</p>

@@ -137,6 +137,7 @@ GroundMeasured measured_ground(const Scene& scene, const View& view) {
   measured.ground = node_counts(picture, NodeLayer::ground);
   measured.sea = node_counts(picture, NodeLayer::sea);
   measured.seen_triangles = seen_triangles(picture);
+  measured.coarse_triangles = coarse_triangles(picture);
   measured.made = picture.made();
   measured.lacking = static_cast<std::int64_t>(picture.missing());
   measured.make_ms = picture.making_ms();

@@ -34,10 +34,10 @@ struct GroundMeasured {
   int places = 0;             // at which errors were measured
   ErrorSpread seen, upright;  // as of NodeError
   NodeCounts ground, sea;
-  std::int64_t seen_triangles = 0;
-  int made = 0;                  // nodes, also those that are not drawn
-  std::int64_t lacking = 0;      // nodes for which there was no room
-  double look_ms = 0.0;          // of every frame: to measure how near the ground is
+  std::int64_t seen_triangles = 0, coarse_triangles = 0;  // of the ground
+  int made = 0;                                           // nodes, also those that are not drawn
+  std::int64_t lacking = 0;                               // nodes for which there was no room
+  double look_ms = 0.0;                                   // of every frame: to measure how near the ground is
   double choose_ms = 0.0;        // of every frame: to choose nodes, leave out what is not seen, and sort
   double make_ms = 0.0;          // once, from nothing
   std::int64_t allocations = 0;  // of a frame that looks and chooses

@@ -1,5 +1,6 @@
 #include "measure/node_counts.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "measure/seen_places.hpp"
@@ -42,6 +43,19 @@ std::int64_t seen_triangles(const NodePicture& picture) {
     const std::vector<std::uint16_t>& list = picture.triangles_of(drawn, NodePicture::Skirt::without);
     for (std::size_t i = 0; i < list.size(); i += 3) {
       if (seen.is_seen(vertices[list[i]], vertices[list[i + 1]], vertices[list[i + 2]])) ++count;
+    }
+  }
+  return count;
+}
+
+std::int64_t coarse_triangles(const NodePicture& picture) {
+  std::int64_t count = 0;
+  for (const DrawnNode& drawn : picture.drawn()) {
+    if (!picture.shows(NodeLayer::ground, drawn)) continue;
+    const std::vector<double> parts = picture.coarse_parts_of(drawn);
+    const std::vector<std::uint16_t>& list = picture.triangles_of(drawn, NodePicture::Skirt::without);
+    for (std::size_t i = 0; i < list.size(); i += 3) {
+      if (std::min({parts[list[i]], parts[list[i + 1]], parts[list[i + 2]]}) >= 1.0) ++count;
     }
   }
   return count;

@@ -11,6 +11,11 @@
 #include "planet/terrain.hpp"
 
 namespace terrella {
+namespace {
+
+glm::dvec3 centre_of(const NodeFrame& frame) { return (1.0 + frame.base) * frame.middle; }
+
+}  // namespace
 
 NodePicture::NodePicture(const Scene& scene, const View& view)
     : scene_(scene),
@@ -71,21 +76,28 @@ bool NodePicture::meets_coarser(int i, int j, unsigned coarser) const {
   return false;
 }
 
-std::vector<glm::dvec3> NodePicture::vertices_of(const DrawnNode& drawn) const {
+std::vector<double> NodePicture::coarse_parts_of(const DrawnNode& drawn) const {
   const NodeCache::Entry& entry = cache_.at(drawn.slot);
-  const Places& places = places_[static_cast<std::size_t>(drawn.slot)];
-  const glm::dvec3 centre = (1.0 + entry.frame.base) * entry.frame.middle;
+  const glm::dvec3 centre = centre_of(entry.frame);
   const int row = ranges_.cells + 1;
-  std::vector<glm::dvec3> vertices;
-  vertices.reserve(places.own.size());
-  for (std::size_t n = 0; n < places.own.size(); ++n) {
-    const glm::dvec3 own = centre + glm::dvec3(places.own[n]);
-    const double chord = glm::distance(glm::normalize(own), eye_.direction);
+  std::vector<double> parts;
+  for (const glm::vec4& place : places_[static_cast<std::size_t>(drawn.slot)].own) {
+    const auto n = static_cast<int>(parts.size());
+    const double chord = glm::distance(glm::normalize(centre + glm::dvec3(place)), eye_.direction);
     const double away = std::hypot(eye_.lift, chord) / node_edge(entry.node.level);
-    double part = (away - ranges_.morph_begin()) / (ranges_.morph_end() - ranges_.morph_begin());
-    if (meets_coarser(static_cast<int>(n) % row, static_cast<int>(n) / row, drawn.coarser)) part = 1.0;
-    vertices.push_back(own + std::clamp(part, 0.0, 1.0) * glm::dvec3(places.coarser[n]));
+    const double part = (away - ranges_.morph_begin()) / (ranges_.morph_end() - ranges_.morph_begin());
+    parts.push_back(meets_coarser(n % row, n / row, drawn.coarser) ? 1.0 : std::clamp(part, 0.0, 1.0));
   }
+  return parts;
+}
+
+std::vector<glm::dvec3> NodePicture::vertices_of(const DrawnNode& drawn) const {
+  const Places& places = places_[static_cast<std::size_t>(drawn.slot)];
+  const glm::dvec3 centre = centre_of(cache_.at(drawn.slot).frame);
+  std::vector<glm::dvec3> vertices;
+  const std::vector<double> parts = coarse_parts_of(drawn);
+  for (std::size_t n = 0; n < parts.size(); ++n)
+    vertices.push_back(centre + glm::dvec3(places.own[n]) + parts[n] * glm::dvec3(places.coarser[n]));
   return vertices;
 }
 

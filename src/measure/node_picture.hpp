@@ -28,6 +28,8 @@ class NodePicture {
 
   [[nodiscard]] std::span<const DrawnNode> drawn() const { return choice_.drawn; }
   [[nodiscard]] bool shows(NodeLayer layer, const DrawnNode& drawn) const;
+  // How far each vertex has taken on the shape of the level above, 0..1.
+  [[nodiscard]] std::vector<double> coarse_parts_of(const DrawnNode& drawn) const;
   // Where the vertices of a node lie, those of its skirt left out.
   [[nodiscard]] std::vector<glm::dvec3> vertices_of(const DrawnNode& drawn) const;
   // Three vertices a triangle.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "measure/ground_views.hpp"
 #include "measure/studio.hpp"
 #include "planet/node_mesh.hpp"
@@ -62,6 +64,22 @@ TEST(SeenTriangles, AreAPartOfThoseDrawn) {
   const std::int64_t seen = seen_triangles(picture), drawn = node_counts(picture, NodeLayer::ground).triangles;
   EXPECT_GT(seen, drawn / 20);
   EXPECT_LT(seen, drawn);
+}
+
+// As far as the shape of the level above has been taken on, so far are triangles told of as coarse.
+TEST(CoarseTriangles, AreThoseOfVerticesThatHaveWhollyPassed) {
+  const NodePicture picture(bare(1e4), small());
+  std::int64_t most = 0;
+  for (const DrawnNode& drawn : picture.drawn()) {
+    const std::vector<double> parts = picture.coarse_parts_of(drawn);
+    const auto whole = std::count(parts.begin(), parts.end(), 1.0);
+    EXPECT_EQ(parts.size(), picture.vertices_of(drawn).size());
+    if (picture.shows(NodeLayer::ground, drawn)) most += 2 * whole;  // a vertex has at most as many of its own
+  }
+  const std::int64_t coarse = coarse_triangles(picture);
+  EXPECT_GT(coarse, 0);
+  EXPECT_LT(coarse, most);
+  EXPECT_LT(coarse, node_counts(picture, NodeLayer::ground).triangles);
 }
 
 // A narrower picture from the same place and of the same pixels shows fewer.
