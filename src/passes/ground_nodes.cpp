@@ -1,6 +1,7 @@
 #include "passes/ground_nodes.hpp"
 
 #include "passes/layers.hpp"
+#include "planet/node_grids.hpp"
 
 namespace terrella {
 
@@ -8,7 +9,12 @@ void GroundNodes::draw(const Frame& frame) {
   const LayerBlock block = layer_block(frame.scene, frame.pose, 0);
   layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   program_.use();
-  nodes()->draw(frame, program_, NodeMeshes::Layer::ground);
+  nodes()->draw(frame, program_, NodeLayer::ground);
+}
+
+void GroundFixedGrid::update(const Frame& frame) {
+  if (!grid_) grid_ = grid_of(technique_, frame.scene, frame.pose);
+  nodes_.update(frame, grid_);
 }
 
 }  // namespace terrella

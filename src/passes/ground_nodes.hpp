@@ -22,14 +22,15 @@ class GroundNodes : public GroundPass {
 // Of a grid that stays as it is.
 class GroundFixedGrid : public GroundNodes {
  public:
-  explicit GroundFixedGrid(std::shared_ptr<const NodeGrid> grid) : grid_(std::move(grid)) {}
+  explicit GroundFixedGrid(Ground technique) : technique_(technique) {}
 
-  void update(const Frame& frame) override { nodes_.update(frame, grid_); }
+  void update(const Frame& frame) override;
   [[nodiscard]] const NodeMeshes* nodes() const override { return &nodes_; }
   [[nodiscard]] bool settled() const override { return nodes_.settled(); }
   [[nodiscard]] std::int64_t noise_evaluations() const override { return nodes_.noise_evaluations(); }
 
  private:
+  Ground technique_;
   std::shared_ptr<const NodeGrid> grid_;
   NodeMeshes nodes_;
 };

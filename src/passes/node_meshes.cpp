@@ -26,9 +26,6 @@ double time_for(Effort effort) {
   }
 }
 
-// Under all of the ground and the water, and what they hide lies behind it.
-double occluder_of(const Frame& frame) { return frame.needs.water == Water::none ? 1.0 : water_radius(frame.scene); }
-
 glm::vec4 vector(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); }
 
 }  // namespace
@@ -69,7 +66,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   grid_ = std::move(grid);
   if (other_nodes) make_room(cells);
   if (other_nodes || terrain_ != exact_terrain_of(frame.scene)) start_anew(frame);
-  ranges_ = ranges_for(*grid_, frame.needs.ground_split, frame.needs.ground_finest, cells);
+  ranges_ = ranges_of(*grid_, frame.needs);
   for (const QuadNode& root : grid_->roots()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
@@ -87,8 +84,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
 
 void NodeMeshes::choose(const Frame& frame) {
   cache_.begin_frame();
-  NodeSight sight = node_sight(frame.pose, frame.view, {0, frame.view.height}, occluder_of(frame));
-  if (frame.needs.water != Water::none) sight.sea = water_radius(frame.scene);
+  const NodeSight sight = sight_of_nodes(frame.scene, frame.needs, frame.pose, frame.view);
   choose_nodes(*grid_, sight, eye_, ranges_, cache_, choice_);
 }
 
@@ -117,7 +113,6 @@ bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
 void NodeMeshes::pack(const Frame& frame) {
   const auto& terrain = frame.scene.terrain;
   const double sea = water_radius(frame.scene);
-  const bool above_sea = glm::length(frame.pose.eye) > sea;
   instances_.clear();
   const auto add = [&](const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
@@ -131,17 +126,12 @@ void NodeMeshes::pack(const Frame& frame) {
     instances_.push_back(vector(sea * middle - frame.pose.eye, base - (sea - 1.0)));
     instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), 0.0);
   };
-  const bool water = frame.needs.water != Water::none;
-  const auto has = [&](Layer layer, const DrawnNode& drawn) {
-    const NodeFrame& node = cache_.at(drawn.slot).frame;
-    const double spacing = grid_->spacing(cache_.at(drawn.slot).node.level, patch_.cells);
-    const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
-    if (layer == Layer::ground) return !water || !above_sea || 1.0 + node.heights.highest >= lowest_sea;
-    const double away = glm::distance(frame.pose.eye, node.outline.middle) + node.outline.half_width;
-    return water &&
-           1.0 + node.heights.lowest <= sea + std::min(frame.needs.water_lift * away, frame.needs.water_most_lift);
+  const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
+    const NodeCache::Entry& entry = cache_.at(drawn.slot);
+    const double spacing = grid_->spacing(entry.node.level, patch_.cells);
+    return shows(layer, entry.frame, spacing, frame.scene, frame.needs, frame.pose);
   };
-  for (const Layer layer : {Layer::ground, Layer::sea}) {
+  for (const NodeLayer layer : {NodeLayer::ground, NodeLayer::sea}) {
     for (unsigned list = 0; list < patch_.lists(); ++list) {
       Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
       run.first = instances_.size() / vec4s_a_node;
@@ -154,7 +144,7 @@ void NodeMeshes::pack(const Frame& frame) {
   meshes_->set(instances_);
 }
 
-void NodeMeshes::draw(const Frame& frame, const gl::Program& program, Layer layer) const {
+void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
   program.set("node_cells", patch_.cells);
   program.set("node_morph", static_cast<float>(ranges_.morph_begin()), static_cast<float>(ranges_.morph_end()),

@@ -11,7 +11,7 @@
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "passes/frame.hpp"
-#include "planet/node_choice.hpp"
+#include "planet/node_layers.hpp"
 
 namespace terrella {
 
@@ -29,11 +29,8 @@ class NodeMeshes {
   // frame has time for. grid: kept until the next update; another one than before starts anew.
   void update(const Frame& frame, std::shared_ptr<const NodeGrid> grid);
 
-  // What is drawn of the chosen nodes.
-  enum class Layer { ground, sea };
-
   // program: in use, its vertices by shaders/node_vertex.glsl.
-  void draw(const Frame& frame, const gl::Program& program, Layer layer) const;
+  void draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const;
 
   // Whether nothing is missing that there is room for.
   [[nodiscard]] bool settled() const { return choice_.missing.empty() || is_full_; }

@@ -48,7 +48,7 @@ void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
   if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
   if constexpr (has_real_size) {
     const gl::Program& program = program_->use(frame.effort == Effort::complete);
-    ground->nodes()->draw(frame, program, NodeMeshes::Layer::sea);
+    ground->nodes()->draw(frame, program, NodeLayer::sea);
   }
 }
 

@@ -72,7 +72,7 @@ int sphere_level(double allowed) {
 }
 
 // About how far (pixels) flat triangles between the vertices of nodes miss the ground in all but a hundredth of places,
-// as steep as they are most of the way up; among the highest mountains it is more (tests/planet/node_error_test.cpp).
+// as steep as they are most of the way up; among the highest mountains it is more (tests/measure/node_errors_test.cpp).
 // apart: vertices to a distance.
 double error_of_nodes(const Scene& scene, double pixel_angle, double apart) {
   constexpr double of_deviation = 3.3, nearest = 1e-7, farthest = 2.0;  // planet radii
@@ -100,7 +100,7 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
     return error_of_nodes(scene, pixel_angle, part_between_vertices(split, cells)) <= scene.quality.pixel_error;
   };
   const double least = least_split(needs.ground == Ground::triangle_lod ? 1.0 : std::numbers::sqrt2);
-  for (const int cells : {least_cells, 14, 20, most_cells}) {
+  for (int cells = least_cells; cells <= most_cells; cells += 2) {
     needs.ground_cells = cells;
     if (is_enough(least, cells, usual_pixel)) break;
   }

@@ -31,10 +31,4 @@ NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose) {
   return {up, nearest / std::sqrt(std::max(distance, 1.0))};
 }
 
-NodeRanges ranges_for(const NodeGrid& grid, double split, double finest, int cells) {
-  NodeRanges ranges = {std::max(split, least_split(grid.reach())), 0, cells, grid.reach()};
-  while (ranges.deepest < deepest_level && grid.spacing(ranges.deepest, cells) > finest) ++ranges.deepest;
-  return ranges;
-}
-
 }  // namespace terrella

@@ -35,9 +35,6 @@ struct NodeRanges {
   [[nodiscard]] double morph_end() const { return 2.0 * split; }
 };
 
-// Of a grid whose vertices need not be closer than this (rad). split: as asked, and no less than the grid can do with.
-NodeRanges ranges_for(const NodeGrid& grid, double split, double finest, int cells);
-
 // A split below this would leave too little room to pass from shape to shape: a step of 1 % nearer takes a vertex a
 // twentieth of the way.
 constexpr double least_split(double reach) { return reach + 1.0857; }

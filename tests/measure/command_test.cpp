@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "measure/ground_models.hpp"
 #include "native/cmd_measure.hpp"
 #include "run_command.hpp"
 #include "sanitized.hpp"
@@ -73,6 +74,41 @@ TEST(MeasureCommand, ExtremesHaveNoneOfTheTrade) {
     EXPECT_EQ(outcome.said, text_of(std::string(option).substr(0, std::string(option).find(' ')),
                                     ": is for the trade of speed for accuracy; --extremes has none of it.\n"));
   }
+}
+
+TEST(MeasureCommand, GroundsAreMeasuredByThemselves) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"--ground --against unused", "--against: is for the trade of speed for accuracy; --ground has none of it.\n"},
+      {"--ground --path", "--path: is for the trade of speed for accuracy; --ground has none of it.\n"},
+      {"--ground --extremes", "--ground: is measured by itself; leave out --extremes.\n"},
+      {"--ground --preset storm", "--ground: is for planets of real size; there are blue, highlands and giant.\n"},
+      {"--ground --frames -1", "--frames: must be a whole number, 0 to 1000.\n"},
+      {"--frames 3", "--frames: is for --ground.\n"},
+      {"--extremes --frames 3", "--frames: is for --ground.\n"}};
+  for (const auto& [options, sentence] : cases) {
+    const Outcome outcome = run(text_of("measure --out unused ", options));
+    EXPECT_EQ(outcome.code, 2) << options;
+    EXPECT_EQ(outcome.said, sentence) << options;
+  }
+}
+
+// From end to end: a planet so smooth that few triangles suffice.
+TEST(MeasureCommand, MeasuresGroundsAndDrawsThem) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "terrella_ground";
+  testing::internal::CaptureStdout();
+  const Outcome outcome =
+      run(text_of("measure --ground --quick --size 32x18 --frames 1 --preset blue --set terrain.height=1000 "
+                  "--set terrain.octaves=4 --set water.model=none --set clouds.model=none --out ",
+                  folder.string()));
+  const std::string told = testing::internal::GetCapturedStdout();
+  EXPECT_NE(told.find("| blue "), std::string::npos) << told;
+  const auto report = nlohmann::json::parse(std::ifstream(folder / "report.json"));
+  EXPECT_EQ(report["size"], (nlohmann::json{32, 18}));
+  EXPECT_EQ(report["rows"].size(), 6 * ground_models().size());  // from three altitudes, for 1 and 2 pixels
+  EXPECT_EQ(outcome.code, report["broken"].empty() ? 0 : 1) << outcome.said;
+  for (const auto& row : report["rows"]) EXPECT_GT(row["frame_ms"]["median"], 0.0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+  std::filesystem::remove_all(folder);
 }
 
 TEST(MeasureCommand, DrawsItsOwnScenes) {

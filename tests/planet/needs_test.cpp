@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "planet/grids.hpp"
-#include "planet/node_ranges.hpp"
+#include "planet/node_layers.hpp"
 #include "planet/terrain.hpp"
 #include "scene/presets.hpp"
 
@@ -51,7 +51,7 @@ TEST(FinestLayers, HaveCellsThatIntegersTell) {
     const Needs needs = needs_of(scene, view, pose_of(scene, view));
     for (const test::Grid kind : {test::Grid::cube, test::Grid::icosahedron, test::Grid::persistent}) {
       const auto grid = test::grid_for(kind);
-      const NodeRanges ranges = ranges_for(*grid, needs.ground_split, needs.ground_finest, needs.ground_cells);
+      const NodeRanges ranges = ranges_of(*grid, needs);
       EXPECT_TRUE(is_told(grid->spacing(ranges.deepest, needs.ground_cells))) << preset << " " << kind;
     }
     const double finest = scene.terrain.frequency * std::pow(scene.terrain.lacunarity, needs.pixel_octaves_end - 1);

@@ -1,0 +1,154 @@
+#include "measure/ground_report.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "base/text.hpp"
+#include "measure/ground_limits.hpp"
+#include "measure/html.hpp"
+#include "measure/words.hpp"
+
+namespace terrella {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Cells = std::vector<std::string>;
+
+const Cells heads = {"scene",   "altitude, m", "model", "asked, px", "pixel_error", "median",    "p99",     "most",
+                     "upright", "cells",       "split", "nodes",     "vertices",    "triangles", "skirts",  "seen",
+                     "coarse",  "of sea",      "made",  "look ms",   "choose ms",   "make ms",   "frame ms"};
+
+Cells cells_of(const GroundRow& row) {
+  const GroundMeasured& m = row.measured;
+  return {row.scene,
+          figure(row.altitude),
+          row.model,
+          figure(row.target),
+          figure(row.pixel_error),
+          printed_number(m.seen.median, 2),
+          printed_number(m.seen.p99, 3),
+          printed_number(m.seen.most, 3),
+          printed_number(m.upright.p99, 3),
+          text_of(m.cells),
+          figure(m.split),
+          text_of(m.ground.nodes),
+          text_of(m.ground.vertices),
+          text_of(m.ground.triangles),
+          text_of(m.ground.skirt_triangles),
+          text_of(m.seen_triangles),
+          text_of(m.coarse_triangles),
+          text_of(m.sea.triangles + m.sea.skirt_triangles),
+          text_of(m.made),
+          printed_number(m.look_ms, 2),
+          printed_number(m.choose_ms, 2),
+          figure(m.make_ms),
+          row.frame_ms ? figure(row.frame_ms->median) : "-"};
+}
+
+Json json_of(const ErrorSpread& error) { return {{"median", error.median}, {"p99", error.p99}, {"most", error.most}}; }
+
+Json json_of(const NodeCounts& counts) {
+  return {{"nodes", counts.nodes},
+          {"vertices", counts.vertices},
+          {"triangles", counts.triangles},
+          {"skirt_vertices", counts.skirt_vertices},
+          {"skirt_triangles", counts.skirt_triangles}};
+}
+
+Json json_of(const GroundRow& row) {
+  const GroundMeasured& m = row.measured;
+  Json json = {{"scene", row.scene},
+               {"model", row.model},
+               {"altitude", row.altitude},
+               {"target_px", row.target},
+               {"pixel_error", row.pixel_error},
+               {"cells", m.cells},
+               {"split", m.split},
+               {"places", m.places},
+               {"error_px", json_of(m.seen)},
+               {"upright_error_px", json_of(m.upright)},
+               {"ground", json_of(m.ground)},
+               {"sea", json_of(m.sea)},
+               {"seen_triangles", m.seen_triangles},
+               {"coarse_triangles", m.coarse_triangles},
+               {"made", m.made},
+               {"lacking", m.lacking},
+               {"look_ms", m.look_ms},
+               {"choose_ms", m.choose_ms},
+               {"make_ms", m.make_ms},
+               {"allocations", m.allocations}};
+  if (row.frame_ms)
+    json["frame_ms"] = {{"median", row.frame_ms->median}, {"p10", row.frame_ms->p10}, {"p90", row.frame_ms->p90}};
+  return json;
+}
+
+std::string table_html(const GroundTable& table) {
+  Table html(heads);
+  for (const GroundRow& row : table.rows) html.row(cells_of(row), broken_by(row).empty() ? "" : "wrong");
+  return html.html();
+}
+
+std::string limits_html(const GroundTable& table) {
+  const std::vector<std::string> broken = broken_limits(table);
+  if (broken.empty()) return "<p>All are kept.</p>\n";
+  Table html({"what is broken"});
+  for (const std::string& sentence : broken) html.row({sentence}, "wrong");
+  return html.html();
+}
+
+constexpr const char* columns = R"(<h2>What the columns say</h2>
+<p>Each view is drawn with the largest quality.pixel_error (column pixel_error) by which 99 of 100 places of the ground
+are off by no more than is asked. Errors are measured in double precision at random places of the triangles that the
+picture shows: from where it shows the place to where it shows the ground above or below (median, p99, most), in pixels;
+upright is the p99 of how long that way would be across the line of sight, as it never quite is from above. Nodes, of so
+many cells along a side and split in four within so many of their edges,
+vertices and triangles are all that the GPU is given for the ground, skirts apart; seen are those of its triangles that
+turn to the eye, lie in the picture and have neither sea nor planet before them, coarse those that have passed wholly to the shape of the
+level above, which a quarter as many would show; the sea is drawn with triangles of its
+own. Made are nodes, also coarser ones that are not drawn, from nothing within make ms. Of every frame, on one core: look
+ms to measure how near the ground is, choose ms to choose, to leave out what is not seen, and to sort. Frame ms is that of
+the whole picture, where frames were drawn.</p>
+)";
+
+constexpr const char* styles = ".wide td, .wide th { white-space: nowrap; }\nbody { max-width: 100rem; }\n";
+
+}  // namespace
+
+std::string ground_json(const GroundTable& table) {
+  Json json;
+  json["size"] = {table.plan.width, table.plan.height};
+  json["renderer"] = table.renderer;
+  json["seconds"] = table.seconds;
+  json["broken"] = broken_limits(table);
+  json["rows"] = Json::array();
+  for (const GroundRow& row : table.rows) json["rows"].push_back(json_of(row));
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string ground_markdown(const GroundTable& table) {
+  std::vector<Cells> lines = {heads, Cells(heads.size(), "---")};
+  for (const GroundRow& row : table.rows) lines.push_back(cells_of(row));
+  std::string text;
+  for (const Cells& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      std::size_t width = 0;
+      for (const Cells& other : lines) width = std::max(width, other[i].size());
+      text += text_of(i == 0 ? "| " : " | ", line[i], std::string(width - line[i].size(), ' '));
+    }
+    text += " |\n";
+  }
+  return text;
+}
+
+std::string ground_page(const GroundTable& table) {
+  std::string page =
+      text_of("<h1>What a ground of real size costs</h1>\n<p>For the same error on screen, at ", table.plan.width, "×",
+              table.plan.height, " pixels and 60 degrees, measured in ", figure(table.seconds), " s",
+              table.renderer.empty() ? "" : text_of("; frames drawn by ", escaped(table.renderer)), ".</p>\n");
+  page += "<h2>Limits</h2>\n" + limits_html(table);
+  page += "<h2>The table</h2>\n" + table_html(table) + columns;
+  return html_page("Terrella: what a ground of real size costs", styles, page);
+}
+
+}  // namespace terrella

@@ -1,0 +1,102 @@
+#include "measure/node_picture.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "base/milliseconds.hpp"
+#include "passes/node_meshes.hpp"
+#include "planet/node_grids.hpp"
+#include "planet/terrain.hpp"
+
+namespace terrella {
+namespace {
+
+glm::dvec3 centre_of(const NodeFrame& frame) { return (1.0 + frame.base) * frame.outline.middle; }
+
+}  // namespace
+
+NodePicture::NodePicture(const Scene& scene, const View& view)
+    : scene_(scene),
+      view_(view),
+      pose_(pose_of(scene, view)),
+      needs_(needs_of(scene, view, pose_)),
+      terrain_(exact_terrain_of(scene)),
+      grid_(grid_of(needs_.ground, scene, pose_)),
+      patch_(grid_->patch(needs_.ground_cells)),
+      ranges_(ranges_of(*grid_, needs_)),
+      sight_(sight_of_nodes(scene, needs_, pose_, view)),
+      cache_(node_slots),
+      places_(node_slots) {
+  for (const Skirt skirt : {Skirt::without, Skirt::with}) {
+    for (unsigned coarser = 0; coarser < patch_.lists(); ++coarser) {
+      triangles_.at(static_cast<std::size_t>(skirt)).at(coarser) =
+          node_triangles(patch_, coarser, skirt == Skirt::with);
+    }
+  }
+  const auto start = std::chrono::steady_clock::now();
+  for (const QuadNode& root : grid_->roots()) make(root);
+  look();
+  choose();
+  while (!choice_.missing.empty() && make_missing()) choose();
+  making_ms_ = milliseconds_since(start);
+}
+
+void NodePicture::look() { eye_ = eye_over(terrain_, pose_); }
+
+void NodePicture::choose() {
+  cache_.begin_frame();
+  choose_nodes(*grid_, sight_, eye_, ranges_, cache_, choice_);
+}
+
+bool NodePicture::make_missing() {
+  return std::all_of(choice_.missing.begin(), choice_.missing.end(),
+                     [&](const MissingNode& missing) { return make(missing.node); });
+}
+
+bool NodePicture::make(const QuadNode& node) {
+  if (!cache_.has_room()) return false;
+  const NodeFrame made = make_node(*grid_, patch_, node, terrain_, scratch_);
+  places_[static_cast<std::size_t>(*cache_.insert(node, made))] = {scratch_.place, scratch_.coarser};
+  ++made_;
+  return true;
+}
+
+bool NodePicture::shows(NodeLayer layer, const DrawnNode& drawn) const {
+  const NodeCache::Entry& entry = cache_.at(drawn.slot);
+  const double spacing = grid_->spacing(entry.node.level, patch_.cells);
+  return terrella::shows(layer, entry.frame, spacing, scene_, needs_, pose_);
+}
+
+// As in shaders/node_vertex.glsl.
+std::vector<double> NodePicture::coarse_parts_of(const DrawnNode& drawn) const {
+  const NodeCache::Entry& entry = cache_.at(drawn.slot);
+  const glm::dvec3 centre = centre_of(entry.frame);
+  std::vector<double> parts;
+  for (const glm::vec4& place : places_[static_cast<std::size_t>(drawn.slot)].own) {
+    const bool meets_coarser = (patch_.vertices[parts.size()].touches & drawn.coarser) != 0;
+    const double chord = glm::distance(glm::normalize(centre + glm::dvec3(place)), eye_.direction);
+    const double away = std::hypot(eye_.lift, chord) / grid_->edge(entry.node.level);
+    const double part = (away - ranges_.morph_begin()) / (ranges_.morph_end() - ranges_.morph_begin());
+    parts.push_back(meets_coarser ? 1.0 : std::clamp(part, 0.0, 1.0));
+  }
+  return parts;
+}
+
+std::vector<glm::dvec3> NodePicture::vertices_of(const DrawnNode& drawn) const {
+  const Places& places = places_[static_cast<std::size_t>(drawn.slot)];
+  const glm::dvec3 centre = centre_of(cache_.at(drawn.slot).frame);
+  std::vector<glm::dvec3> vertices;
+  const std::vector<double> parts = coarse_parts_of(drawn);
+  for (std::size_t n = 0; n < parts.size(); ++n)
+    vertices.push_back(centre + glm::dvec3(places.own[n]) + parts[n] * glm::dvec3(places.coarser[n]));
+  return vertices;
+}
+
+const std::vector<std::uint16_t>& NodePicture::triangles_of(const DrawnNode& drawn, Skirt skirt) const {
+  return triangles_.at(static_cast<std::size_t>(skirt)).at(drawn.coarser & all_sides);
+}
+
+}  // namespace terrella

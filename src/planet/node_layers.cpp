@@ -1,0 +1,38 @@
+#include "planet/node_layers.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "planet/spheres.hpp"
+
+namespace terrella {
+
+NodeRanges ranges_of(const NodeGrid& grid, const Needs& needs) {
+  NodeRanges ranges = {std::max(needs.ground_split, least_split(grid.reach())), 0, needs.ground_cells, grid.reach()};
+  while (ranges.deepest < deepest_level && grid.spacing(ranges.deepest, ranges.cells) > needs.ground_finest)
+    ++ranges.deepest;
+  return ranges;
+}
+
+NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pose, const View& view) {
+  const double sea = needs.water == Water::none ? 0.0 : water_radius(scene);
+  // Under all of the ground and the water, and what they hide lies behind it.
+  NodeSight sight = node_sight(pose, view, {0, view.height}, std::max(sea, 1.0));
+  sight.sea = sea;
+  return sight;
+}
+
+bool shows(NodeLayer layer, const NodeFrame& node, double spacing, const Scene& scene, const Needs& needs,
+           const Pose& pose) {
+  const bool water = needs.water != Water::none;
+  const double sea = water_radius(scene);
+  if (layer == NodeLayer::ground) {
+    const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
+    return !water || glm::length(pose.eye) <= sea || 1.0 + node.heights.highest >= lowest_sea;
+  }
+  const double away = glm::distance(pose.eye, node.outline.middle) + node.outline.half_width;
+  return water && 1.0 + node.heights.lowest <= sea + std::min(needs.water_lift * away, needs.water_most_lift);
+}
+
+}  // namespace terrella
