@@ -62,10 +62,10 @@ void add_nodes(Sum& sum, const Needs& needs) {
   // While a grid around the eye is made, that before is kept as well.
   const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
   const int layers = needs.water != Water::none ? 2 : 1;
-  sum.draw(layers * node_slots * triangles, 16 * layers);
+  sum.draw(layers * node_slots * triangles, 17 * layers);
   for (int n = 0; n < kept; ++n) {
     for (const int texel_bytes : {16, 16, 8, 8, 8}) sum.texels(vertices * node_slots, texel_bytes);
-    sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + 16 * 6 * triangles + 8 * (vertices + rim));
+    sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + 17 * 6 * triangles + 8 * (vertices + rim));
   }
 }
 

@@ -31,9 +31,8 @@ NodePicture::NodePicture(const Scene& scene, const View& view)
       cache_(node_slots),
       places_(node_slots) {
   for (const Skirt skirt : {Skirt::without, Skirt::with}) {
-    for (unsigned coarser = 0; coarser < patch_.lists(); ++coarser) {
-      triangles_.at(static_cast<std::size_t>(skirt)).at(coarser) =
-          node_triangles(patch_, coarser, skirt == Skirt::with);
+    for (unsigned list = 0; list < patch_.lists(); ++list) {
+      triangles_.at(static_cast<std::size_t>(skirt)).at(list) = node_triangles(patch_, list, skirt == Skirt::with);
     }
   }
   const auto start = std::chrono::steady_clock::now();
@@ -96,7 +95,7 @@ std::vector<glm::dvec3> NodePicture::vertices_of(const DrawnNode& drawn) const {
 }
 
 const std::vector<std::uint16_t>& NodePicture::triangles_of(const DrawnNode& drawn, Skirt skirt) const {
-  return triangles_.at(static_cast<std::size_t>(skirt)).at(drawn.coarser & all_sides);
+  return triangles_.at(static_cast<std::size_t>(skirt)).at(list_of(patch_, drawn));
 }
 
 }  // namespace terrella

@@ -50,9 +50,9 @@ void NodeMeshes::make_room(int cells) {
   for (std::size_t n = 0; n < count; ++n) vertices.emplace_back(n, patch_.vertices[n].touches);
   for (const std::uint16_t n : patch_.rim) vertices.emplace_back(n, -static_cast<int>(patch_.vertices[n].touches));
   std::vector<std::uint16_t> indices;
-  for (unsigned coarser = 0; coarser < patch_.lists(); ++coarser) {
-    const std::vector<std::uint16_t> list = node_triangles(patch_, coarser, true);
-    lists_.at(coarser) = {indices.size(), list.size()};
+  for (unsigned n = 0; n < patch_.lists(); ++n) {
+    const std::vector<std::uint16_t> list = node_triangles(patch_, n, true);
+    lists_.at(n) = {indices.size(), list.size()};
     indices.insert(indices.end(), list.begin(), list.end());
   }
   meshes_ = std::make_unique<gl::Instances>(vec4s_a_node, vertices, indices);
@@ -136,7 +136,7 @@ void NodeMeshes::pack(const Frame& frame) {
       Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
       run.first = instances_.size() / vec4s_a_node;
       for (const DrawnNode& drawn : choice_.drawn) {
-        if ((drawn.coarser & all_sides) == list && has(layer, drawn)) add(drawn);
+        if (list_of(patch_, drawn) == list && has(layer, drawn)) add(drawn);
       }
       run.count = instances_.size() / vec4s_a_node - run.first;
     }

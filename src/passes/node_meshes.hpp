@@ -48,6 +48,8 @@ class NodeMeshes {
   bool make(const Scene& scene, const QuadNode& node);
   void pack(const Frame& frame);
 
+  static constexpr std::size_t most_lists = 17;
+
   // The nodes of one list of triangles among the instances.
   struct Run {
     std::size_t first = 0, count = 0;
@@ -62,9 +64,9 @@ class NodeMeshes {
   NodeRanges ranges_;
   std::optional<f64::Terrain> terrain_;
   std::array<std::unique_ptr<gl::Image>, 5> textures_;
-  std::array<Run, 16> lists_;  // of the triangles, by the sides with coarser neighbours
+  std::array<Run, most_lists> lists_;  // of the triangles (node_triangles)
   std::unique_ptr<gl::Instances> meshes_;
-  std::array<std::array<Run, 16>, 2> runs_;  // of the layers
+  std::array<std::array<Run, most_lists>, 2> runs_;  // of the layers
   std::vector<glm::vec4> instances_;
   bool is_full_ = false;
   std::int64_t noise_evaluations_ = 0;

@@ -46,9 +46,8 @@ FacePlace on_face(const glm::dvec3& d) {
 
 }  // namespace
 
-std::vector<QuadNode> CubeGrid::roots() const {
-  std::vector<QuadNode> roots;
-  for (int face = 0; face < 6; ++face) roots.push_back({face, 0, 0, 0});
+std::span<const QuadNode> CubeGrid::roots() const {
+  static constexpr std::array<QuadNode, 6> roots = {{{0}, {1}, {2}, {3}, {4}, {5}}};
   return roots;
 }
 

@@ -8,7 +8,7 @@ namespace terrella {
 
 class CubeGrid : public SquareGrid {
  public:
-  [[nodiscard]] std::vector<QuadNode> roots() const override;
+  [[nodiscard]] std::span<const QuadNode> roots() const override;
   [[nodiscard]] double edge(int level) const override;
   [[nodiscard]] double reach() const override { return 1.4143; }  // a square's diagonal
 

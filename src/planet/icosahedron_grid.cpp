@@ -53,9 +53,12 @@ double weight(double part) {
 
 }  // namespace
 
-std::vector<QuadNode> IcosahedronGrid::roots() const {
-  std::vector<QuadNode> roots;
-  for (int face = 0; face < 4 * ring; ++face) roots.push_back({face, 0, 0, 0});
+std::span<const QuadNode> IcosahedronGrid::roots() const {
+  static const auto roots = [] {
+    std::array<QuadNode, 4 * ring> all;
+    for (int face = 0; face < 4 * ring; ++face) all.at(static_cast<std::size_t>(face)).face = face;
+    return all;
+  }();
   return roots;
 }
 

@@ -9,7 +9,7 @@ namespace terrella {
 
 class IcosahedronGrid : public NodeGrid {
  public:
-  [[nodiscard]] std::vector<QuadNode> roots() const override;
+  [[nodiscard]] std::span<const QuadNode> roots() const override;
   [[nodiscard]] std::array<QuadNode, 4> children_of(const QuadNode& node) const override;
   [[nodiscard]] QuadNode parent_of(const QuadNode& node) const override;
   [[nodiscard]] NodesAround around(const QuadNode& node) const override;

@@ -47,7 +47,7 @@ std::optional<int> NodeCache::insert(const QuadNode& node, const NodeFrame& fram
   } else {
     slots_.erase(key_of(entries_[*slot].node));
   }
-  entries_[*slot] = {node, frame, now_, 0};
+  entries_[*slot] = {node, frame, now_, 0, 0};
   return slots_[key_of(node)] = static_cast<int>(*slot);
 }
 

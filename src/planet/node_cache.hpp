@@ -16,8 +16,9 @@ class NodeCache {
   struct Entry {
     QuadNode node;
     NodeFrame frame;
-    std::uint64_t used = 0;  // the frame that used it last
-    std::uint64_t leaf = 0;  // the frame that drew it undivided last
+    std::uint64_t used = 0;      // the frame that used it last
+    std::uint64_t leaf = 0;      // the frame that drew it undivided last
+    std::uint64_t as_above = 0;  // the frame that drew it in the shape of the level above last
   };
 
   // capacity: slots, > 0.
@@ -31,7 +32,13 @@ class NodeCache {
 
   void use(int slot) { entries_[static_cast<std::size_t>(slot)].used = now_; }
   // Of this frame: the node is drawn as it is.
-  void make_leaf(int slot) { entries_[static_cast<std::size_t>(slot)].leaf = now_; }
+  void make_leaf(int slot, bool as_above) {
+    Entry& entry = entries_[static_cast<std::size_t>(slot)];
+    entry.leaf = now_;
+    if (as_above) entry.as_above = now_;
+  }
+  // Whether it is drawn so, and in the shape of the level above.
+  [[nodiscard]] bool is_as_above(int slot) const { return entries_[static_cast<std::size_t>(slot)].as_above == now_; }
   [[nodiscard]] bool is_leaf(int slot) const { return entries_[static_cast<std::size_t>(slot)].leaf == now_; }
 
   // Takes in a node that is not there, in place of the one that was not used for longest; returns its slot, or nothing

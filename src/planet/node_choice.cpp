@@ -34,8 +34,10 @@ class Choice {
       if (splits) {
         add_quarters(node);
       } else {
-        cache_.make_leaf(slot);
-        choice_.drawn.push_back({slot, 0});
+        const double nearest = std::hypot(eye_.lift, nearest_to(cache_.at(slot).frame.outline, eye_.direction));
+        const bool as_above = node.level > 0 && nearest >= ranges_.morph_end() * edge;
+        cache_.make_leaf(slot, as_above);
+        choice_.drawn.push_back({slot, 0, as_above});
       }
     }
     std::swap(choice_.level, choice_.next);
@@ -48,7 +50,17 @@ class Choice {
     if (is_seen(cache_.at(slot))) choice_.next.push_back(slot);
   }
 
-  // Which of the nodes around a drawn one are of the level above.
+  // Which of the nodes around a drawn one are of the level above, or in its shape.
+  [[nodiscard]] unsigned coarse_around(const QuadNode& node) const {
+    unsigned coarse = coarser_around(node);
+    for (const NodeBeside& beside : grid_.around(node)) {
+      const int slot = cache_.find(beside.node);
+      if (slot >= 0 && cache_.is_leaf(slot) && cache_.is_as_above(slot)) coarse |= beside.shares;
+    }
+    return coarse;
+  }
+
+  // Which are of the level above.
   [[nodiscard]] unsigned coarser_around(const QuadNode& node) const {
     if (node.level == 0) return 0;
     unsigned coarser = 0;
@@ -147,7 +159,7 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   std::swap(choice.level, choice.next);
   // Level by level, so that each node knows what its neighbours above have become.
   while (!choice.level.empty()) chooser.pass_level();
-  for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarser_around(cache.at(drawn.slot).node);
+  for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarse_around(cache.at(drawn.slot).node);
   std::sort(choice.missing.begin(), choice.missing.end(), [](const MissingNode& a, const MissingNode& b) {
     return std::tie(a.node.level, a.distance) < std::tie(b.node.level, b.distance);
   });

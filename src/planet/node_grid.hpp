@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include <glm/vec3.hpp>
 
@@ -50,7 +50,7 @@ class NodeGrid {
   virtual ~NodeGrid() = default;
 
   // All of its nodes undivided.
-  [[nodiscard]] virtual std::vector<QuadNode> roots() const = 0;
+  [[nodiscard]] virtual std::span<const QuadNode> roots() const = 0;
   // A node's four quarters. node: of a level below deepest_level.
   [[nodiscard]] virtual std::array<QuadNode, 4> children_of(const QuadNode& node) const = 0;
   // Of a node of level 1 or more.

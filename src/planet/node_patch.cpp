@@ -32,13 +32,14 @@ void add_triangle(NodePatch& patch, std::uint16_t a, std::uint16_t b, std::uint1
   patch.triangles.insert(patch.triangles.end(), {a, b, c});
 }
 
-void add_skirt(const NodePatch& patch, unsigned coarser, std::vector<std::uint16_t>& indices) {
+// left_out: the sides along which every second vertex is left out.
+void add_skirt(const NodePatch& patch, unsigned left_out, std::vector<std::uint16_t>& indices) {
   const auto count = patch.rim.size();
   for (std::size_t place = 0; place < count;) {
     // What both ends of an edge lie on is its side.
     const unsigned on =
         patch.vertices[patch.rim[place]].touches & patch.vertices[patch.rim[(place + 1) % count]].touches;
-    const std::size_t next = place + ((on & coarser & all_sides) != 0 ? 2 : 1);
+    const std::size_t next = place + ((on & left_out & all_sides) != 0 ? 2 : 1);
     const auto below = [&](std::size_t k) { return static_cast<std::uint16_t>(patch.vertices.size() + k % count); };
     const std::uint16_t a = patch.rim[place], b = patch.rim[next % count];
     indices.insert(indices.end(), {a, b, below(next), a, below(next), below(place)});
@@ -102,18 +103,20 @@ NodePatch triangle_patch(int cells) {
   return patch;
 }
 
-std::vector<std::uint16_t> node_triangles(const NodePatch& patch, unsigned coarser, bool skirt) {
-  // A vertex that is left out falls onto the one before it on its side.
+std::vector<std::uint16_t> node_triangles(const NodePatch& patch, unsigned list, bool skirt) {
+  const bool every_second = list == patch.list_of_every_second();
+  const unsigned left_out = every_second ? all_sides : list;
+  // A vertex that is left out falls onto the one before it on its side, and so do the triangles that it is a corner of.
   const auto kept = [&](std::uint16_t n) {
     const NodePatch::Vertex& vertex = patch.vertices[n];
-    return (vertex.touches & coarser & all_sides) != 0 ? vertex.from : n;
+    return every_second || (vertex.touches & left_out & all_sides) != 0 ? vertex.from : n;
   };
   std::vector<std::uint16_t> indices;
   for (std::size_t n = 0; n < patch.triangles.size(); n += 3) {
     const auto a = kept(patch.triangles[n]), b = kept(patch.triangles[n + 1]), c = kept(patch.triangles[n + 2]);
     if (a != b && b != c && c != a) indices.insert(indices.end(), {a, b, c});
   }
-  if (skirt) add_skirt(patch, coarser, indices);
+  if (skirt) add_skirt(patch, left_out, indices);
   return indices;
 }
 

@@ -24,8 +24,9 @@ struct NodePatch {
   std::vector<std::uint16_t> triangles;  // three vertices each, counter-clockwise from outside
   std::vector<std::uint16_t> rim;        // vertices around it, clockwise from outside, each side's after one another
 
-  // Sets of sides that can have coarser neighbours.
-  [[nodiscard]] unsigned lists() const { return 1U << sides; }
+  // Lists of triangles: one for each set of sides that can have coarser neighbours, and one of every second vertex.
+  [[nodiscard]] unsigned lists() const { return (1U << sides) + 1; }
+  [[nodiscard]] unsigned list_of_every_second() const { return 1U << sides; }
   // A patch's vertices and, beyond them, those of its rim once more, for skirts.
   [[nodiscard]] std::size_t vertices_with_rim() const { return vertices.size() + rim.size(); }
 };
@@ -38,8 +39,9 @@ NodePatch square_patch(int cells);
 // outside; each side is opposite the corner of its number. cells: even, > 0.
 NodePatch triangle_patch(int cells);
 
-// Three vertices a triangle. coarser: the sides where the neighbour is of the level above: every second vertex there is
-// left out, so that each edge is one of the neighbour's. skirt: whether a skirt hangs from the rim.
-std::vector<std::uint16_t> node_triangles(const NodePatch& patch, unsigned coarser, bool skirt);
+// Three vertices a triangle. list: the sides where the neighbour is of the level above: every second vertex there is
+// left out, so that each edge is one of the neighbour's; or list_of_every_second, which leaves them out all over, so
+// that the triangles are those of the level above. skirt: whether a skirt hangs from the rim.
+std::vector<std::uint16_t> node_triangles(const NodePatch& patch, unsigned list, bool skirt);
 
 }  // namespace terrella

@@ -15,7 +15,7 @@ class PersistentGrid : public SquareGrid {
   // Whether it still serves an eye: it reaches all that the eye can see, and would not be much smaller if made for it.
   [[nodiscard]] bool serves(const glm::dvec3& eye) const;
 
-  [[nodiscard]] std::vector<QuadNode> roots() const override { return {QuadNode{}}; }
+  [[nodiscard]] std::span<const QuadNode> roots() const override { return {&root_, 1}; }
   [[nodiscard]] double edge(int level) const override;
   [[nodiscard]] double reach() const override { return reach_; }
 
@@ -26,6 +26,7 @@ class PersistentGrid : public SquareGrid {
  private:
   void measure_cells();
 
+  QuadNode root_;
   double altitude_, top_;
   glm::dvec3 u_, v_, w_;  // the third towards the eye
   double zs_;             // how far it stands off the centre

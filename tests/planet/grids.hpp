@@ -37,7 +37,7 @@ inline std::shared_ptr<const NodeGrid> grid_for(Grid grid, const glm::dvec3& eye
 }
 
 inline QuadNode random_node(const NodeGrid& grid, Places& places, int level) {
-  const std::vector<QuadNode> roots = grid.roots();
+  const std::span<const QuadNode> roots = grid.roots();
   const auto some = [&](std::size_t count) {
     return std::min(static_cast<std::size_t>(places.between(0.0, static_cast<double>(count))), count - 1);
   };

@@ -146,7 +146,11 @@ class NodeChoices : public testing::TestWithParam<test::Grid> {};
 int check_sides(const Nodes& nodes) {
   const NodeGrid& grid = nodes.grid();
   std::set<Key> drawn;
-  for (const DrawnNode& each : nodes.drawn()) drawn.insert(key_of(nodes.node(each)));
+  std::set<Key> as_above;
+  for (const DrawnNode& each : nodes.drawn()) {
+    drawn.insert(key_of(nodes.node(each)));
+    if (each.as_above) as_above.insert(key_of(nodes.node(each)));
+  }
   const auto is_drawn = [&](const QuadNode& node, int up) {
     QuadNode above = node;
     for (; up > 0 && above.level > 0; --up) above = grid.parent_of(above);
@@ -156,7 +160,7 @@ int check_sides(const Nodes& nodes) {
   for (const DrawnNode& each : nodes.drawn()) {
     unsigned expected = 0;
     for (const NodeBeside& beside : grid.around(nodes.node(each))) {
-      if (is_drawn(beside.node, 1)) expected |= beside.shares;
+      if (is_drawn(beside.node, 1) || as_above.contains(key_of(beside.node))) expected |= beside.shares;
       // Two levels up there is none: such edges would not meet.
       EXPECT_FALSE(is_drawn(beside.node, 2));
       ++looked_at;
@@ -226,7 +230,7 @@ void check_surface(const Nodes& nodes) {
       const std::size_t n = patch.rim[k];
       const unsigned side =
           patch.vertices[n].touches & patch.vertices[patch.rim[(k + 1) % patch.rim.size()]].touches & all_sides;
-      k += (side & drawn.coarser) != 0 ? 2 : 1;
+      k += drawn.as_above || (side & drawn.coarser) != 0 ? 2 : 1;
       const std::size_t next = patch.rim[k % patch.rim.size()];
       const glm::dvec3 place = rim.at(n), &here = rim.directions[n], &there = rim.directions[next];
       const auto [found, is_new] = places.try_emplace(here, place);

@@ -101,7 +101,7 @@ TEST_P(NodeGrids, ForgetNoneOfThoseAround) {
   using Key = std::tuple<int, std::uint32_t, std::uint32_t>;
   const auto key_of = [](const QuadNode& node) { return Key{node.face, node.x, node.y}; };
   const NodePatch coarse = grid->patch(2);
-  std::vector<QuadNode> level = grid->roots();
+  std::vector<QuadNode> level(grid->roots().begin(), grid->roots().end());
   for (int n = 0; n < 3; ++n) {
     std::vector<QuadNode> next;
     for (const QuadNode& node : level) {
