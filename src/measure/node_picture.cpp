@@ -36,7 +36,7 @@ NodePicture::NodePicture(const Scene& scene, const View& view)
     }
   }
   const auto start = std::chrono::steady_clock::now();
-  for (const QuadNode& root : grid_->roots()) make(root);
+  for (const GridNode& root : grid_->roots()) make(root);
   look();
   choose();
   while (!choice_.missing.empty() && make_missing()) choose();
@@ -55,7 +55,7 @@ bool NodePicture::make_missing() {
                      [&](const MissingNode& missing) { return make(missing.node); });
 }
 
-bool NodePicture::make(const QuadNode& node) {
+bool NodePicture::make(const GridNode& node) {
   if (!cache_.has_room()) return false;
   const NodeFrame made = make_node(*grid_, patch_, node, terrain_, scratch_);
   places_[static_cast<std::size_t>(*cache_.insert(node, made))] = {scratch_.place, scratch_.coarser};

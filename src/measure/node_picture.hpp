@@ -46,7 +46,7 @@ class NodePicture {
 
  private:
   // Returns whether there was room.
-  bool make(const QuadNode& node);
+  bool make(const GridNode& node);
   bool make_missing();
 
   // A node's vertices as its level has them and as the level above has; as of NodeVertices.

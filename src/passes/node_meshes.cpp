@@ -67,7 +67,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   if (other_nodes) make_room(cells);
   if (other_nodes || terrain_ != exact_terrain_of(frame.scene)) start_anew(frame);
   ranges_ = ranges_of(*grid_, frame.needs);
-  for (const QuadNode& root : grid_->roots()) {
+  for (const GridNode& root : grid_->roots()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
   eye_ = eye_over(*terrain_, frame.levels_for != nullptr ? *frame.levels_for : frame.pose);
@@ -95,7 +95,7 @@ void NodeMeshes::make_missing(const Frame& frame, double time) {
   }
 }
 
-bool NodeMeshes::make(const Scene& scene, const QuadNode& node) {
+bool NodeMeshes::make(const Scene& scene, const GridNode& node) {
   is_full_ = !cache_.has_room();
   if (is_full_) return false;
   const NodeFrame made = make_node(*grid_, patch_, node, *terrain_, vertices_);

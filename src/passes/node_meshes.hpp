@@ -45,7 +45,7 @@ class NodeMeshes {
   // Makes those that are missing until they or the time (ms) come to an end.
   void make_missing(const Frame& frame, double time);
   // Returns whether there was room.
-  bool make(const Scene& scene, const QuadNode& node);
+  bool make(const Scene& scene, const GridNode& node);
   void pack(const Frame& frame);
 
   static constexpr std::size_t most_lists = 17;

@@ -46,8 +46,8 @@ FacePlace on_face(const glm::dvec3& d) {
 
 }  // namespace
 
-std::span<const QuadNode> CubeGrid::roots() const {
-  static constexpr std::array<QuadNode, 6> roots = {{{0}, {1}, {2}, {3}, {4}, {5}}};
+std::span<const GridNode> CubeGrid::roots() const {
+  static constexpr std::array<GridNode, 6> roots = {{{0}, {1}, {2}, {3}, {4}, {5}}};
   return roots;
 }
 
@@ -63,7 +63,7 @@ double CubeGrid::edge(int level) const {
   return std::ldexp(quarter_turn, -level);
 }
 
-QuadNode CubeGrid::node_at(const glm::dvec3& direction, int level) const {
+GridNode CubeGrid::node_at(const glm::dvec3& direction, int level) const {
   CHECK(level >= 0 && level <= deepest_level, level);
   const FacePlace found = on_face(direction);
   const double side = std::ldexp(1.0, level);
@@ -73,7 +73,7 @@ QuadNode CubeGrid::node_at(const glm::dvec3& direction, int level) const {
   return {found.face, level, number(found.place.x), number(found.place.y)};
 }
 
-std::optional<QuadNode> CubeGrid::beyond_face(const QuadNode& node, Side side) const {
+std::optional<GridNode> CubeGrid::beyond_face(const GridNode& node, Side side) const {
   // Half a node beyond the edge of the cube, on the plane of this face. How far the place lies along the edge counts
   // there for less by as much as it lies beyond.
   const bool along_x = side == Side::left || side == Side::right;

@@ -8,16 +8,16 @@ namespace terrella {
 
 class CubeGrid : public SquareGrid {
  public:
-  [[nodiscard]] std::span<const QuadNode> roots() const override;
+  [[nodiscard]] std::span<const GridNode> roots() const override;
   [[nodiscard]] double edge(int level) const override;
   [[nodiscard]] double reach() const override { return 1.4143; }  // a square's diagonal
 
   // The node of a level that a direction (not 0) passes through.
-  [[nodiscard]] QuadNode node_at(const glm::dvec3& direction, int level) const;
+  [[nodiscard]] GridNode node_at(const glm::dvec3& direction, int level) const;
 
  protected:
   [[nodiscard]] glm::dvec3 direction_on(int face, double x, double y) const override;
-  [[nodiscard]] std::optional<QuadNode> beyond_face(const QuadNode& node, Side side) const override;
+  [[nodiscard]] std::optional<GridNode> beyond_face(const GridNode& node, Side side) const override;
 };
 
 }  // namespace terrella

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int ring = 5;  // vertices around a pole, and rhombi at it
 
-bool is_upper(const QuadNode& node) { return node.face % 2 != 0; }
-int rhombus_of(const QuadNode& node) { return node.face / 2; }
-QuadNode half_of(int rhombus, bool upper, int level, std::uint32_t x, std::uint32_t y) {
+bool is_upper(const GridNode& node) { return node.face % 2 != 0; }
+int rhombus_of(const GridNode& node) { return node.face / 2; }
+GridNode half_of(int rhombus, bool upper, int level, std::uint32_t x, std::uint32_t y) {
   return {2 * rhombus + (upper ? 1 : 0), level, x, y};
 }
 
@@ -53,16 +53,16 @@ double weight(double part) {
 
 }  // namespace
 
-std::span<const QuadNode> IcosahedronGrid::roots() const {
+std::span<const GridNode> IcosahedronGrid::roots() const {
   static const auto roots = [] {
-    std::array<QuadNode, 4 * ring> all;
+    std::array<GridNode, 4 * ring> all;
     for (int face = 0; face < 4 * ring; ++face) all.at(static_cast<std::size_t>(face)).face = face;
     return all;
   }();
   return roots;
 }
 
-std::array<QuadNode, 4> IcosahedronGrid::children_of(const QuadNode& node) const {
+std::array<GridNode, 4> IcosahedronGrid::children_of(const GridNode& node) const {
   CHECK(node.level < deepest_level, node.level);
   const int r = rhombus_of(node), level = node.level + 1;
   const std::uint32_t x = 2 * node.x, y = 2 * node.y;
@@ -73,7 +73,7 @@ std::array<QuadNode, 4> IcosahedronGrid::children_of(const QuadNode& node) const
           upper ? half_of(r, false, level, x + 1, y + 1) : half_of(r, true, level, x, y)};
 }
 
-QuadNode IcosahedronGrid::parent_of(const QuadNode& node) const {
+GridNode IcosahedronGrid::parent_of(const GridNode& node) const {
   CHECK(node.level > 0, node.level);
   const bool odd_x = node.x % 2 != 0, odd_y = node.y % 2 != 0;
   // In two of the four cells both halves belong to the same half of the cell above.
@@ -81,7 +81,7 @@ QuadNode IcosahedronGrid::parent_of(const QuadNode& node) const {
   return half_of(rhombus_of(node), upper, node.level - 1, node.x / 2, node.y / 2);
 }
 
-glm::dvec3 IcosahedronGrid::vertex_direction(const QuadNode& node, int i, int j, int cells) const {
+glm::dvec3 IcosahedronGrid::vertex_direction(const GridNode& node, int i, int j, int cells) const {
   const double many = cells, all = std::ldexp(many, node.level);
   const bool upper = is_upper(node);
   // From the first corner of the rhombus; whole numbers, so that all but the quotients is exact.
@@ -101,7 +101,7 @@ double IcosahedronGrid::edge(int level) const {
   return std::ldexp(1.178 * std::atan(2.0), -level);
 }
 
-IcosahedronGrid::Across IcosahedronGrid::across(const QuadNode& node, unsigned side) {
+IcosahedronGrid::Across IcosahedronGrid::across(const GridNode& node, unsigned side) {
   const int r = rhombus_of(node);
   const bool upper = is_upper(node);
   const auto last = (std::uint32_t{1} << static_cast<unsigned>(node.level)) - 1U;
@@ -128,12 +128,12 @@ IcosahedronGrid::Across IcosahedronGrid::across(const QuadNode& node, unsigned s
   return {half_of(base + (onwards ? after : before), upper, node.level, next_x, next_y), by_x ? 2U : 1U};
 }
 
-NodesAround IcosahedronGrid::around(const QuadNode& node) const {
+NodesAround IcosahedronGrid::around(const GridNode& node) const {
   NodesAround nodes;
   for (unsigned side = 0; side < 3; ++side) nodes.add(across(node, side).node, first_side << side);
   // Around each corner, but for the node itself and those across its sides there: two or three.
   for (unsigned corner = 0; corner < 3; ++corner) {
-    const QuadNode end = across(node, (corner + 2) % 3).node;
+    const GridNode end = across(node, (corner + 2) % 3).node;
     Across next = across(node, (corner + 1) % 3);
     for (int n = 0; n < 3; ++n) {
       // The side by which one came has the corner at its beginning here: the other side that has it is the second from

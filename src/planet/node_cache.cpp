@@ -8,7 +8,7 @@ namespace terrella {
 namespace {
 
 // A number for each node: its place on its level behind a leading one, which tells the level.
-std::uint64_t key_of(const QuadNode& node) {
+std::uint64_t key_of(const GridNode& node) {
   const auto level = static_cast<unsigned>(node.level);
   return std::uint64_t{static_cast<unsigned>(node.face)} << 59U |
          ((std::uint64_t{1} << 2U * level) + (std::uint64_t{node.x} << level) + node.y);
@@ -22,7 +22,7 @@ NodeCache::NodeCache(int capacity) : capacity_(static_cast<std::size_t>(capacity
   slots_.reserve(2 * capacity_);
 }
 
-int NodeCache::find(const QuadNode& node) const {
+int NodeCache::find(const GridNode& node) const {
   const auto found = slots_.find(key_of(node));
   return found == slots_.end() ? -1 : found->second;
 }
@@ -39,7 +39,7 @@ std::optional<std::size_t> NodeCache::free_slot() const {
   return entries_[slot].used < now_ ? std::optional(slot) : std::nullopt;
 }
 
-std::optional<int> NodeCache::insert(const QuadNode& node, const NodeFrame& frame) {
+std::optional<int> NodeCache::insert(const GridNode& node, const NodeFrame& frame) {
   const std::optional<std::size_t> slot = free_slot();
   if (!slot) return std::nullopt;
   if (*slot == entries_.size()) {

@@ -14,7 +14,7 @@ namespace terrella {
 class NodeCache {
  public:
   struct Entry {
-    QuadNode node;
+    GridNode node;
     NodeFrame frame;
     std::uint64_t used = 0;      // the frame that used it last
     std::uint64_t leaf = 0;      // the frame that drew it undivided last
@@ -27,7 +27,7 @@ class NodeCache {
   void begin_frame() { ++now_; }
 
   // The slot of a node, or -1.
-  [[nodiscard]] int find(const QuadNode& node) const;
+  [[nodiscard]] int find(const GridNode& node) const;
   [[nodiscard]] const Entry& at(int slot) const { return entries_[static_cast<std::size_t>(slot)]; }
 
   void use(int slot) { entries_[static_cast<std::size_t>(slot)].used = now_; }
@@ -43,7 +43,7 @@ class NodeCache {
 
   // Takes in a node that is not there, in place of the one that was not used for longest; returns its slot, or nothing
   // where all are used in this frame.
-  std::optional<int> insert(const QuadNode& node, const NodeFrame& frame);
+  std::optional<int> insert(const GridNode& node, const NodeFrame& frame);
   // Whether insert would find a slot.
   [[nodiscard]] bool has_room() const { return free_slot().has_value(); }
 

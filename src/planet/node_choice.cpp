@@ -24,7 +24,7 @@ class Choice {
   void pass_level() {
     choice_.next.clear();
     for (const int slot : choice_.level) {
-      const QuadNode node = cache_.at(slot).node;
+      const GridNode node = cache_.at(slot).node;
       const double edge = grid_.edge(node.level);
       const double distance = distance_of(cache_.at(slot).frame.outline, eye_, ranges_.reach * edge);
       const double wanted = node.level < ranges_.deepest ? ranges_.split * edge : 0.0;
@@ -43,7 +43,7 @@ class Choice {
     std::swap(choice_.level, choice_.next);
   }
 
-  void add_visible(const QuadNode& node) {
+  void add_visible(const GridNode& node) {
     const int slot = cache_.find(node);
     CHECK(slot >= 0, node.face, node.level, node.x, node.y);
     cache_.use(slot);
@@ -51,17 +51,17 @@ class Choice {
   }
 
   // Which of the nodes around a drawn one are of the level above, or in its shape.
-  [[nodiscard]] unsigned coarse_around(const QuadNode& node) const {
-    unsigned coarse = coarser_around(node);
+  [[nodiscard]] unsigned coarse_around(const GridNode& node) const {
+    unsigned coarse = 0;
     for (const NodeBeside& beside : grid_.around(node)) {
-      const int slot = cache_.find(beside.node);
-      if (slot >= 0 && cache_.is_leaf(slot) && cache_.is_as_above(slot)) coarse |= beside.shares;
+      if ((coarse & beside.shares) == 0 && (lies_in_leaf(beside.node) || is_as_above(beside.node)))
+        coarse |= beside.shares;
     }
     return coarse;
   }
 
   // Which are of the level above.
-  [[nodiscard]] unsigned coarser_around(const QuadNode& node) const {
+  [[nodiscard]] unsigned coarser_around(const GridNode& node) const {
     if (node.level == 0) return 0;
     unsigned coarser = 0;
     for (const NodeBeside& beside : grid_.around(node)) {
@@ -71,14 +71,14 @@ class Choice {
   }
 
  private:
-  void add_quarters(const QuadNode& node) {
-    for (const QuadNode& child : grid_.children_of(node)) add_visible(child);
+  void add_quarters(const GridNode& node) {
+    for (const GridNode& child : grid_.children_of(node)) add_visible(child);
   }
 
   // Asks for those that are not there.
-  bool has_quarters(const QuadNode& node, double distance) {
+  bool has_quarters(const GridNode& node, double distance) {
     bool all = true;
-    for (const QuadNode& child : grid_.children_of(node)) {
+    for (const GridNode& child : grid_.children_of(node)) {
       const int slot = cache_.find(child);
       if (slot >= 0) {
         cache_.use(slot);
@@ -90,8 +90,13 @@ class Choice {
     return all;
   }
 
+  [[nodiscard]] bool is_as_above(const GridNode& node) const {
+    const int slot = cache_.find(node);
+    return slot >= 0 && cache_.is_as_above(slot);
+  }
+
   // Nodes that are beside the picture are never leaves: nobody sees how they meet their neighbours.
-  [[nodiscard]] bool lies_in_leaf(const QuadNode& node) const {
+  [[nodiscard]] bool lies_in_leaf(const GridNode& node) const {
     if (node.level == 0) return false;
     const int above = cache_.find(grid_.parent_of(node));
     return above >= 0 && cache_.is_leaf(above);
@@ -155,7 +160,7 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   choice.level.clear();
   choice.next.clear();
   Choice chooser(grid, sight, eye, ranges, cache, choice);
-  for (const QuadNode& root : grid.roots()) chooser.add_visible(root);
+  for (const GridNode& root : grid.roots()) chooser.add_visible(root);
   std::swap(choice.level, choice.next);
   // Level by level, so that each node knows what its neighbours above have become.
   while (!choice.level.empty()) chooser.pass_level();

@@ -33,7 +33,7 @@ inline unsigned list_of(const NodePatch& patch, const DrawnNode& drawn) {
 }
 
 struct MissingNode {
-  QuadNode node;
+  GridNode node;
   double distance;  // of the node that it is a quarter of
 };
 

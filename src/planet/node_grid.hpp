@@ -20,23 +20,23 @@ inline constexpr int most_cells = 28, least_cells = 8;
 inline constexpr int deepest_level = 29;
 
 // A node of a grid: faces are numbered as the grid has them, and so are the places on a face.
-struct QuadNode {
+struct GridNode {
   int face = 0;                // 0..31
   int level = 0;               // 0..deepest_level
   std::uint32_t x = 0, y = 0;  // 0..2^level - 1
-  bool operator==(const QuadNode&) const = default;
+  bool operator==(const GridNode&) const = default;
 };
 
 // A node of the same level that has vertices in common with another, and the bit for what it shares (NodePatch).
 struct NodeBeside {
-  QuadNode node;
+  GridNode node;
   unsigned shares;
 };
 
 // All of those around a node.
 class NodesAround {
  public:
-  void add(const QuadNode& node, unsigned shares) { list_.at(count_++) = {node, shares}; }
+  void add(const GridNode& node, unsigned shares) { list_.at(count_++) = {node, shares}; }
   [[nodiscard]] const NodeBeside* begin() const { return list_.data(); }
   [[nodiscard]] const NodeBeside* end() const { return list_.data() + count_; }
 
@@ -50,20 +50,20 @@ class NodeGrid {
   virtual ~NodeGrid() = default;
 
   // All of its nodes undivided.
-  [[nodiscard]] virtual std::span<const QuadNode> roots() const = 0;
+  [[nodiscard]] virtual std::span<const GridNode> roots() const = 0;
   // A node's four quarters. node: of a level below deepest_level.
-  [[nodiscard]] virtual std::array<QuadNode, 4> children_of(const QuadNode& node) const = 0;
+  [[nodiscard]] virtual std::array<GridNode, 4> children_of(const GridNode& node) const = 0;
   // Of a node of level 1 or more.
-  [[nodiscard]] virtual QuadNode parent_of(const QuadNode& node) const = 0;
-  [[nodiscard]] virtual NodesAround around(const QuadNode& node) const = 0;
+  [[nodiscard]] virtual GridNode parent_of(const GridNode& node) const = 0;
+  [[nodiscard]] virtual NodesAround around(const GridNode& node) const = 0;
 
   // Vertices and triangles of every node. cells: even, least_cells..most_cells.
   [[nodiscard]] virtual NodePatch patch(int cells) const = 0;
   // Unit vector to a vertex. i, j: as a patch of so many cells has them. The same bits for every node that has the
   // vertex, whatever its level, on machines that do not fuse products and sums.
-  [[nodiscard]] virtual glm::dvec3 vertex_direction(const QuadNode& node, int i, int j, int cells) const = 0;
+  [[nodiscard]] virtual glm::dvec3 vertex_direction(const GridNode& node, int i, int j, int cells) const = 0;
   // Unit vector to the middle.
-  [[nodiscard]] virtual glm::dvec3 middle_of(const QuadNode& node) const = 0;
+  [[nodiscard]] virtual glm::dvec3 middle_of(const GridNode& node) const = 0;
 
   // How long the longest side of a node of a level is, rad.
   [[nodiscard]] virtual double edge(int level) const = 0;

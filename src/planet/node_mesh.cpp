@@ -34,7 +34,7 @@ struct Levels {
   std::vector<Vertex> own, above;
 };
 
-Levels vertices_of(const NodeGrid& grid, const NodePatch& patch, const QuadNode& node, const glm::dvec3& middle,
+Levels vertices_of(const NodeGrid& grid, const NodePatch& patch, const GridNode& node, const glm::dvec3& middle,
                    const f64::Terrain& terrain) {
   Levels levels;
   levels.own.reserve(patch.vertices.size());
@@ -62,7 +62,7 @@ HeightRange range_of(const std::vector<Vertex>& vertices) {
 
 }  // namespace
 
-NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const QuadNode& node, const f64::Terrain& terrain,
+NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode& node, const f64::Terrain& terrain,
                     NodeVertices& vertices) {
   NodeFrame frame;
   frame.outline = outline_of(grid, patch, node);

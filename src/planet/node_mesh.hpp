@@ -36,7 +36,7 @@ struct NodeFrame {
 // second vertex, and between these on the straight edges of its triangles: vertices that both levels have come out the
 // same, but for rounding to single precision.
 // patch: of the grid.
-NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const QuadNode& node, const f64::Terrain& terrain,
+NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode& node, const f64::Terrain& terrain,
                     NodeVertices& vertices);
 
 }  // namespace terrella

@@ -8,13 +8,18 @@
 namespace terrella {
 namespace {
 
-// Over which part of the sphere a side is seen from its middle: unit, away from the node.
-glm::dvec3 outwards(const NodeOutline& outline, std::size_t side) {
-  const glm::dvec3 &a = outline.corners.at(side), &b = outline.corners.at((side + 1) % 4);
-  const glm::dvec3 normal = glm::cross(a, b);
+// Of a side: unit, away from the node. By the difference of its corners, which is exact however near they are.
+glm::dvec3 normal_of(const NodeOutline& outline, std::size_t side) {
+  const glm::dvec3& corner = outline.corners.at(side);
+  const glm::dvec3 normal = glm::cross(corner, outline.corners.at((side + 1) % 4) - corner);
   const double length = glm::length(normal);
   if (length == 0.0) return glm::dvec3(0.0);  // the last of a triangle
-  return (glm::dot(normal, outline.middle) > 0.0 ? -1.0 : 1.0) / length * normal;
+  return (glm::dot(normal, outline.middle - corner) > 0.0 ? -1.0 : 1.0) / length * normal;
+}
+
+// How far a place lies beyond the plane of a side.
+double beyond(const NodeOutline& outline, std::size_t side, const glm::dvec3& place) {
+  return glm::dot(outline.outwards.at(side), place - outline.corners.at(side));
 }
 
 double distance_to_side(const glm::dvec3& from, const glm::dvec3& a, const glm::dvec3& b) {
@@ -26,7 +31,7 @@ double distance_to_side(const glm::dvec3& from, const glm::dvec3& a, const glm::
 
 }  // namespace
 
-NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const QuadNode& node) {
+NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const GridNode& node) {
   NodeOutline outline;
   outline.middle = grid.middle_of(node);
   const auto rim = [&](std::size_t k) {
@@ -35,10 +40,11 @@ NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const QuadN
   };
   const auto cells = static_cast<std::size_t>(patch.cells);
   for (std::size_t side = 0; side < 4; ++side) outline.corners.at(side) = rim(side * cells % patch.rim.size());
+  for (std::size_t side = 0; side < 4; ++side) outline.outwards.at(side) = normal_of(outline, side);
   for (std::size_t k = 0; k < patch.rim.size(); ++k) {
     const glm::dvec3 place = rim(k);
     outline.half_width = std::max(outline.half_width, glm::distance(place, outline.middle));
-    outline.bulge = std::max(outline.bulge, glm::dot(outwards(outline, k / cells), place));
+    outline.bulge = std::max(outline.bulge, beyond(outline, k / cells, place));
   }
   return outline;
 }
@@ -47,7 +53,7 @@ double nearest_to(const NodeOutline& outline, const glm::dvec3& direction) {
   bool within = true;
   double nearest = glm::distance(direction, outline.corners[0]);
   for (std::size_t side = 0; side < 4; ++side) {
-    within = within && glm::dot(outwards(outline, side), direction) <= outline.bulge;
+    within = within && beyond(outline, side, direction) <= outline.bulge;
     nearest =
         std::min(nearest, distance_to_side(direction, outline.corners.at(side), outline.corners.at((side + 1) % 4)));
   }

@@ -14,11 +14,14 @@ struct NodeOutline {
   glm::dvec3 middle{0.0};               // unit
   double half_width = 0.0;              // nothing is further from the middle
   std::array<glm::dvec3, 4> corners{};  // unit, one after another around it; of a triangle the first comes again
-  double bulge = 0.0;                   // how far sides reach beyond the great circles from corner to corner
+  // Unit, of the planes of its sides, which begin at each corner and go through the sphere's middle; 0 where there is
+  // none.
+  std::array<glm::dvec3, 4> outwards{};
+  double bulge = 0.0;  // how far sides reach beyond the great circles from corner to corner
 };
 
 // patch: of the grid, of any number of cells; the more, the closer its sides.
-NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const QuadNode& node);
+NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const GridNode& node);
 
 // How far from a direction (unit) the nearest place and the farthest are, as chords. Of nodes that cover much of the
 // sphere the first is too small, by as much as a chord lies below its arc.

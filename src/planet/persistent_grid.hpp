@@ -15,18 +15,18 @@ class PersistentGrid : public SquareGrid {
   // Whether it still serves an eye: it reaches all that the eye can see, and would not be much smaller if made for it.
   [[nodiscard]] bool serves(const glm::dvec3& eye) const;
 
-  [[nodiscard]] std::span<const QuadNode> roots() const override { return {&root_, 1}; }
+  [[nodiscard]] std::span<const GridNode> roots() const override { return {&root_, 1}; }
   [[nodiscard]] double edge(int level) const override;
   [[nodiscard]] double reach() const override { return reach_; }
 
  protected:
   [[nodiscard]] glm::dvec3 direction_on(int face, double x, double y) const override;
-  [[nodiscard]] std::optional<QuadNode> beyond_face(const QuadNode&, Side) const override { return std::nullopt; }
+  [[nodiscard]] std::optional<GridNode> beyond_face(const GridNode&, Side) const override { return std::nullopt; }
 
  private:
   void measure_cells();
 
-  QuadNode root_;
+  GridNode root_;
   double altitude_, top_;
   glm::dvec3 u_, v_, w_;  // the third towards the eye
   double zs_;             // how far it stands off the centre

@@ -11,7 +11,7 @@ double place_of_number(double number, int level, int cells) {
   return (2.0 * number - all) / all;  // only the quotient is rounded
 }
 
-std::array<QuadNode, 4> SquareGrid::children_of(const QuadNode& node) const {
+std::array<GridNode, 4> SquareGrid::children_of(const GridNode& node) const {
   CHECK(node.level < deepest_level, node.level);
   const int level = node.level + 1;
   const std::uint32_t x = 2 * node.x, y = 2 * node.y;
@@ -21,20 +21,20 @@ std::array<QuadNode, 4> SquareGrid::children_of(const QuadNode& node) const {
            {node.face, level, x + 1, y + 1}}};
 }
 
-QuadNode SquareGrid::parent_of(const QuadNode& node) const {
+GridNode SquareGrid::parent_of(const GridNode& node) const {
   CHECK(node.level > 0, node.level);
   return {node.face, node.level - 1, node.x / 2, node.y / 2};
 }
 
-glm::dvec3 SquareGrid::vertex_direction(const QuadNode& node, int i, int j, int cells) const {
+glm::dvec3 SquareGrid::vertex_direction(const GridNode& node, int i, int j, int cells) const {
   const double many = cells;
   return direction_on(node.face, place_of_number(many * node.x + i, node.level, cells),
                       place_of_number(many * node.y + j, node.level, cells));
 }
 
-std::optional<QuadNode> SquareGrid::across(const QuadNode& node, Side side) const {
+std::optional<GridNode> SquareGrid::across(const GridNode& node, Side side) const {
   const std::uint32_t last = (1U << static_cast<unsigned>(node.level)) - 1U;
-  QuadNode next = node;
+  GridNode next = node;
   switch (side) {
     case Side::left:
       if (node.x > 0) return --next.x, next;
@@ -52,7 +52,7 @@ std::optional<QuadNode> SquareGrid::across(const QuadNode& node, Side side) cons
   return beyond_face(node, side);
 }
 
-std::optional<QuadNode> SquareGrid::beyond_corner(const QuadNode& node, unsigned corner) const {
+std::optional<GridNode> SquareGrid::beyond_corner(const GridNode& node, unsigned corner) const {
   const bool right = (corner & 1U) != 0, top = (corner & 2U) != 0;
   const std::uint32_t last = (1U << static_cast<unsigned>(node.level)) - 1U;
   const Side along_x = right ? Side::right : Side::left, along_y = top ? Side::top : Side::bottom;
@@ -60,11 +60,11 @@ std::optional<QuadNode> SquareGrid::beyond_corner(const QuadNode& node, unsigned
   // At the corners of faces there is none but those that are across sides.
   if (leaves_by_x && leaves_by_y) return std::nullopt;
   // Sides have other names on the next face, so the edge of this one comes last.
-  const std::optional<QuadNode> within = across(node, leaves_by_x ? along_y : along_x);
+  const std::optional<GridNode> within = across(node, leaves_by_x ? along_y : along_x);
   return across(*within, leaves_by_x ? along_x : along_y);
 }
 
-NodesAround SquareGrid::around(const QuadNode& node) const {
+NodesAround SquareGrid::around(const GridNode& node) const {
   NodesAround nodes;
   for (unsigned i = 0; i < 4; ++i) {
     if (const auto next = across(node, square_sides.at(i))) nodes.add(*next, first_side << i);

@@ -12,25 +12,25 @@ inline constexpr std::array<Side, 4> square_sides = {Side::left, Side::right, Si
 
 class SquareGrid : public NodeGrid {
  public:
-  [[nodiscard]] std::array<QuadNode, 4> children_of(const QuadNode& node) const override;
-  [[nodiscard]] QuadNode parent_of(const QuadNode& node) const override;
-  [[nodiscard]] NodesAround around(const QuadNode& node) const override;
+  [[nodiscard]] std::array<GridNode, 4> children_of(const GridNode& node) const override;
+  [[nodiscard]] GridNode parent_of(const GridNode& node) const override;
+  [[nodiscard]] NodesAround around(const GridNode& node) const override;
   [[nodiscard]] NodePatch patch(int cells) const override { return square_patch(cells); }
-  [[nodiscard]] glm::dvec3 vertex_direction(const QuadNode& node, int i, int j, int cells) const override;
-  [[nodiscard]] glm::dvec3 middle_of(const QuadNode& node) const override { return vertex_direction(node, 1, 1, 2); }
+  [[nodiscard]] glm::dvec3 vertex_direction(const GridNode& node, int i, int j, int cells) const override;
+  [[nodiscard]] glm::dvec3 middle_of(const GridNode& node) const override { return vertex_direction(node, 1, 1, 2); }
 
   // The node of the same level across a side, or nothing where there is none.
-  [[nodiscard]] std::optional<QuadNode> across(const QuadNode& node, Side side) const;
+  [[nodiscard]] std::optional<GridNode> across(const GridNode& node, Side side) const;
 
  protected:
   // Unit vector to a place of a face, -1..1 from the middle of its sides.
   [[nodiscard]] virtual glm::dvec3 direction_on(int face, double x, double y) const = 0;
   // What lies across a side that is one of the face.
-  [[nodiscard]] virtual std::optional<QuadNode> beyond_face(const QuadNode& node, Side side) const = 0;
+  [[nodiscard]] virtual std::optional<GridNode> beyond_face(const GridNode& node, Side side) const = 0;
 
  private:
   // The node that has only a corner in common, numbered as square_patch numbers them.
-  [[nodiscard]] std::optional<QuadNode> beyond_corner(const QuadNode& node, unsigned corner) const;
+  [[nodiscard]] std::optional<GridNode> beyond_corner(const GridNode& node, unsigned corner) const;
 };
 
 // How far the cell or vertex of a number is from the middle of a side of a face, -1..1. The same bits however fine the

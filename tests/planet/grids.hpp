@@ -36,18 +36,18 @@ inline std::shared_ptr<const NodeGrid> grid_for(Grid grid, const glm::dvec3& eye
   return nullptr;
 }
 
-inline QuadNode random_node(const NodeGrid& grid, Places& places, int level) {
-  const std::span<const QuadNode> roots = grid.roots();
+inline GridNode random_node(const NodeGrid& grid, Places& places, int level) {
+  const std::span<const GridNode> roots = grid.roots();
   const auto some = [&](std::size_t count) {
     return std::min(static_cast<std::size_t>(places.between(0.0, static_cast<double>(count))), count - 1);
   };
-  QuadNode node = roots[some(roots.size())];
+  GridNode node = roots[some(roots.size())];
   while (node.level < level) node = grid.children_of(node).at(some(4));
   return node;
 }
 
 // Of a patch's vertices, in their order.
-inline std::vector<glm::dvec3> directions_of(const NodeGrid& grid, const NodePatch& patch, const QuadNode& node) {
+inline std::vector<glm::dvec3> directions_of(const NodeGrid& grid, const NodePatch& patch, const GridNode& node) {
   std::vector<glm::dvec3> directions;
   for (const NodePatch::Vertex& vertex : patch.vertices)
     directions.push_back(grid.vertex_direction(node, vertex.i, vertex.j, patch.cells));

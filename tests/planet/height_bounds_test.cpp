@@ -18,7 +18,7 @@ void expect_whole_ground_within(const f64::Terrain& terrain, test::Places& place
   constexpr int samples = 8;
   const CubeGrid grid;
   for (const int level : {0, 2, 5, 9, 14}) {
-    const QuadNode node = grid.node_at(places.on_sphere(), level);
+    const GridNode node = grid.node_at(places.on_sphere(), level);
     const double apart = grid.edge(level) / samples;
     HeightRange computed = {1e300, -1e300};
     for (int k = 0; k < (samples + 1) * (samples + 1); ++k) {

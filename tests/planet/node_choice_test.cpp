@@ -22,7 +22,7 @@ namespace {
 using test::Places;
 
 using Key = std::tuple<int, int, std::uint32_t, std::uint32_t>;
-Key key_of(const QuadNode& node) { return {node.face, node.level, node.x, node.y}; }
+Key key_of(const GridNode& node) { return {node.face, node.level, node.x, node.y}; }
 
 // Smooth, so that nodes are made quickly: which of them are chosen depends on distances alone.
 Scene planet(double relief = 1e-3) {
@@ -88,12 +88,12 @@ class Nodes {
     choose_nodes(*grid_, sight, eye_, ranges_, cache_, choice_);
   }
 
-  void make(const QuadNode& node) {
+  void make(const GridNode& node) {
     const NodeFrame frame = bare_ ? bare_frame(node) : make_node(*grid_, patch_, node, terrain_, scratch_);
     ASSERT_TRUE(cache_.insert(node, frame));
   }
 
-  [[nodiscard]] NodeFrame bare_frame(const QuadNode& node) const {
+  [[nodiscard]] NodeFrame bare_frame(const GridNode& node) const {
     NodeFrame frame;
     frame.outline = outline_of(*grid_, outline_, node);
     const double height = f64::terrain_height_at(frame.outline.middle, terrain_, 0.0).value;
@@ -102,7 +102,7 @@ class Nodes {
   }
 
   [[nodiscard]] const std::vector<DrawnNode>& drawn() const { return choice_.drawn; }
-  [[nodiscard]] const QuadNode& node(const DrawnNode& drawn) const { return cache_.at(drawn.slot).node; }
+  [[nodiscard]] const GridNode& node(const DrawnNode& drawn) const { return cache_.at(drawn.slot).node; }
   [[nodiscard]] const NodeFrame& frame(const DrawnNode& drawn) const { return cache_.at(drawn.slot).frame; }
   [[nodiscard]] const NodeChoice& choice() const { return choice_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
@@ -121,7 +121,7 @@ class Nodes {
     ranges_.reach = grid_->reach();
     ranges_.split = least_split(ranges_.reach) + more_split_;
     cache_.clear();
-    for (const QuadNode& root : grid_->roots()) make(root);
+    for (const GridNode& root : grid_->roots()) make(root);
   }
 
   test::Grid kind_;
@@ -151,8 +151,8 @@ int check_sides(const Nodes& nodes) {
     drawn.insert(key_of(nodes.node(each)));
     if (each.as_above) as_above.insert(key_of(nodes.node(each)));
   }
-  const auto is_drawn = [&](const QuadNode& node, int up) {
-    QuadNode above = node;
+  const auto is_drawn = [&](const GridNode& node, int up) {
+    GridNode above = node;
     for (; up > 0 && above.level > 0; --up) above = grid.parent_of(above);
     return up == 0 && drawn.contains(key_of(above));
   };
@@ -221,7 +221,7 @@ void check_surface(const Nodes& nodes) {
            })>
       edges;
   for (const DrawnNode& drawn : nodes.drawn()) {
-    const QuadNode& node = nodes.node(drawn);
+    const GridNode& node = nodes.node(drawn);
     Rim rim{nodes, drawn, {}, test::directions_of(nodes.grid(), patch, node)};
     make_node(nodes.grid(), patch, node, nodes.terrain(), rim.vertices);
     unsigned with_others = 0;
@@ -345,7 +345,7 @@ INSTANTIATE_TEST_SUITE_P(OnSphere, NodeChoices, test::all_grids, testing::PrintT
 
 TEST(NodeCache, GivesTheSlotOfWhatWasNotUsedForLongest) {
   NodeCache cache(3);
-  const auto node = [](std::uint32_t x) { return QuadNode{0, 4, x, 0}; };
+  const auto node = [](std::uint32_t x) { return GridNode{0, 4, x, 0}; };
   for (std::uint32_t x = 0; x < 3; ++x) {
     cache.begin_frame();
     EXPECT_EQ(*cache.insert(node(x), {}), static_cast<int>(x));

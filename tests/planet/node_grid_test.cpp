@@ -30,7 +30,7 @@ class NodeGrids : public testing::TestWithParam<test::Grid> {
   const std::shared_ptr<const NodeGrid> grid = test::grid_for(GetParam());
   const NodePatch patch = grid->patch(cells);
 
-  [[nodiscard]] Directions all_of(const QuadNode& node) const {
+  [[nodiscard]] Directions all_of(const GridNode& node) const {
     const std::vector<glm::dvec3> list = test::directions_of(*grid, patch, node);
     return {list.begin(), list.end()};
   }
@@ -40,7 +40,7 @@ TEST_P(NodeGrids, QuarterANode) {
   Places places(2);
   for (const int level : {0, 1, 2, 5, deepest_level - 1}) {
     for (int n = 0; n < 20; ++n) {
-      const QuadNode node = test::random_node(*grid, places, level);
+      const GridNode node = test::random_node(*grid, places, level);
       const auto children = grid->children_of(node);
       for (std::size_t k = 0; k < 4; ++k) {
         EXPECT_EQ(children.at(k).level, level + 1);
@@ -57,7 +57,7 @@ TEST_P(NodeGrids, HaveTheSameVerticesWhateverTheLevel) {
   Places places(3);
   for (const int level : {1, 2, 8, 20, deepest_level}) {
     for (int n = 0; n < 8; ++n) {
-      const QuadNode node = test::random_node(*grid, places, level);
+      const GridNode node = test::random_node(*grid, places, level);
       const Directions above = all_of(grid->parent_of(node));
       const std::vector<glm::dvec3> own = test::directions_of(*grid, patch, node);
       for (std::size_t k = 0; k < own.size(); ++k)
@@ -69,7 +69,7 @@ TEST_P(NodeGrids, HaveTheSameVerticesWhateverTheLevel) {
 // What a vertex between those of the level above is halfway between.
 TEST_P(NodeGrids, LieBetweenVerticesOfTheLevelAbove) {
   Places places(4);
-  const QuadNode node = test::random_node(*grid, places, 12);
+  const GridNode node = test::random_node(*grid, places, 12);
   const std::vector<glm::dvec3> own = test::directions_of(*grid, patch, node);
   for (std::size_t k = 0; k < own.size(); ++k) {
     const glm::dvec3 middle = 0.5 * (own[patch.vertices[k].from] + own[patch.vertices[k].to]);
@@ -82,7 +82,7 @@ TEST_P(NodeGrids, KnowWhatLiesAround) {
   Places places(5);
   for (int n = 0; n < 300; ++n) {
     // On the first levels nearly every side is that of a face.
-    const QuadNode node = test::random_node(*grid, places, n % 30);
+    const GridNode node = test::random_node(*grid, places, n % 30);
     const std::vector<glm::dvec3> own = test::directions_of(*grid, patch, node);
     for (const NodeBeside& beside : grid->around(node)) {
       EXPECT_EQ(beside.node.level, node.level);
@@ -99,21 +99,21 @@ TEST_P(NodeGrids, KnowWhatLiesAround) {
 // Of all nodes of a level: whichever have a vertex in common know of each other.
 TEST_P(NodeGrids, ForgetNoneOfThoseAround) {
   using Key = std::tuple<int, std::uint32_t, std::uint32_t>;
-  const auto key_of = [](const QuadNode& node) { return Key{node.face, node.x, node.y}; };
+  const auto key_of = [](const GridNode& node) { return Key{node.face, node.x, node.y}; };
   const NodePatch coarse = grid->patch(2);
-  std::vector<QuadNode> level(grid->roots().begin(), grid->roots().end());
+  std::vector<GridNode> level(grid->roots().begin(), grid->roots().end());
   for (int n = 0; n < 3; ++n) {
-    std::vector<QuadNode> next;
-    for (const QuadNode& node : level) {
-      for (const QuadNode& child : grid->children_of(node)) next.push_back(child);
+    std::vector<GridNode> next;
+    for (const GridNode& node : level) {
+      for (const GridNode& child : grid->children_of(node)) next.push_back(child);
     }
     level = next;
   }
   std::map<glm::dvec3, std::set<Key>, Less> at;
-  for (const QuadNode& node : level) {
+  for (const GridNode& node : level) {
     for (const glm::dvec3& direction : test::directions_of(*grid, coarse, node)) at[direction].insert(key_of(node));
   }
-  for (const QuadNode& node : level) {
+  for (const GridNode& node : level) {
     std::set<Key> expected, told;
     for (const glm::dvec3& direction : test::directions_of(*grid, coarse, node))
       expected.insert(at[direction].begin(), at[direction].end());
@@ -128,7 +128,7 @@ TEST_P(NodeGrids, TellHowLongSidesAreAtTheMost) {
   double longest = 0.0;
   for (int n = 0; n < 600; ++n) {
     const int level = n % 8;
-    const QuadNode node = test::random_node(*grid, places, level);
+    const GridNode node = test::random_node(*grid, places, level);
     const std::vector<glm::dvec3> own = test::directions_of(*grid, patch, node);
     for (std::size_t k = 0; k < patch.rim.size(); ++k) {
       const double side = glm::distance(own[patch.rim[k]], own[patch.rim[(k + 1) % patch.rim.size()]]);
@@ -147,7 +147,7 @@ TEST(CubeGrid, FindsTheNodeThatHoldsADirection) {
   Places places(1);
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec3 direction = places.on_sphere();
-    const QuadNode deep = grid.node_at(direction, deepest_level);
+    const GridNode deep = grid.node_at(direction, deepest_level);
     // Within a diagonal of the middle, which the angle of so small a chord is.
     EXPECT_LT(glm::distance(grid.middle_of(deep), direction), 0.71 * grid.edge(deepest_level));
     EXPECT_EQ(grid.parent_of(deep), grid.node_at(direction, deepest_level - 1));

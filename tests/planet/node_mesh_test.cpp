@@ -39,7 +39,7 @@ TEST_P(NodePatches, FaceOutwardsAndCoverTheSphere) {
   double whole = 0.0;
   for (unsigned coarser = 0; coarser < patch.lists(); ++coarser) {
     double covered = 0.0;
-    for (const QuadNode& node : grid->roots()) {
+    for (const GridNode& node : grid->roots()) {
       const std::vector<std::uint16_t> indices = node_triangles(patch, coarser, false);
       const std::vector<glm::dvec3> at = test::directions_of(*grid, patch, node);
       for (std::size_t k = 0; k < indices.size(); k += 3) {
@@ -113,7 +113,7 @@ TEST_P(NodeMeshes, TakeOnTheShapeOfTheirParents) {
   test::Places places(6);
   const f64::Terrain terrain = exact_terrain_of(find_preset("alps")->scene);
   for (const int level : {1, 4, 9, 15, 22}) {
-    const QuadNode node = test::random_node(*grid, places, level), parent = grid->parent_of(node);
+    const GridNode node = test::random_node(*grid, places, level), parent = grid->parent_of(node);
     NodeVertices fine, above;
     const NodeFrame fine_frame = make_node(*grid, patch, node, terrain, fine);
     const NodeFrame above_frame = make_node(*grid, patch, parent, terrain, above);
@@ -145,7 +145,7 @@ TEST_P(NodeMeshes, HaveTheTrueHeightsInSinglePrecision) {
     for (const int level : {0, 6, 12, 20, 26}) {
       for (const int cells : {8, 28}) {
         const NodePatch patch = grid->patch(cells);
-        const QuadNode node = test::random_node(*grid, places, level);
+        const GridNode node = test::random_node(*grid, places, level);
         NodeVertices vertices;
         const NodeFrame frame = make_node(*grid, patch, node, terrain, vertices);
         const double pixel = 1e-3 * 1.33 * grid->edge(level);
@@ -171,7 +171,7 @@ TEST(NodeMesh, TellsHowLayersRiseOnTheLowestGroundAsOnTheHighest) {
   high.height = 1e-3;
   const CubeGrid grid;
   const NodePatch patch = grid.patch(8);
-  const QuadNode node = {0, 3, 2, 5};
+  const GridNode node = {0, 3, 2, 5};
   NodeVertices of_low, of_high;
   make_node(grid, patch, node, low, of_low);
   make_node(grid, patch, node, high, of_high);
