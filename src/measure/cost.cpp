@@ -59,7 +59,7 @@ void add_nodes(Sum& sum, const Needs& needs) {
   const std::int64_t vertices = triangular ? (cells + 1) * (cells + 2) / 2 : (cells + 1) * (cells + 1);
   const std::int64_t rim = (triangular ? 3 : 4) * cells;
   const std::int64_t triangles = (triangular ? 1 : 2) * cells * cells + 2 * rim;
-  // While a grid around the eye is made, that before is kept as well.
+  // Beside a grid around the eye there is room for the next.
   const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
   const int layers = needs.water != Water::none ? 2 : 1;
   sum.draw(layers * node_slots * triangles, 17 * layers);

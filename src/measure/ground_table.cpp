@@ -129,7 +129,7 @@ GroundMeasured measured_ground(const Scene& scene, const View& view) {
   NodePicture picture(scene, view);
   GroundMeasured measured;
   measured.cells = picture.needs().ground_cells;
-  measured.split = picture.needs().ground_split;
+  measured.split = picture.ranges().split;
   const std::vector<NodeError> errors = node_errors(picture, places, footprint_of_pixel(scene));
   measured.places = static_cast<int>(errors.size());
   measured.seen = spread_of_errors(errors, &NodeError::seen);

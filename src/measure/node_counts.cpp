@@ -51,7 +51,7 @@ std::int64_t seen_triangles(const NodePicture& picture) {
 std::int64_t coarse_triangles(const NodePicture& picture) {
   std::int64_t count = 0;
   for (const DrawnNode& drawn : picture.drawn()) {
-    if (!picture.shows(NodeLayer::ground, drawn)) continue;
+    if (!picture.shows(NodeLayer::ground, drawn) || drawn.as_above) continue;
     const std::vector<double> parts = picture.coarse_parts_of(drawn);
     const std::vector<std::uint16_t>& list = picture.triangles_of(drawn, NodePicture::Skirt::without);
     for (std::size_t i = 0; i < list.size(); i += 3) {

@@ -43,8 +43,10 @@ double solid_radius(const Needs& needs) {
   const bool solid = needs.ground != Ground::none || needs.water != Water::none;
   if (!solid) return 0.0;
   if (!has_nodes(needs.ground)) return 1.0 - icosphere_sag(group_level);
-  // Across the diagonal of a cell of the coarsest nodes, which are those of a cube.
-  const double spacing = CubeGrid().spacing(0, needs.ground_cells);
+  // Across the diagonal of a cell of the coarsest nodes: those of a grid around a far eye are nearly three times as
+  // wide as a cube's.
+  const double widest = needs.ground == Ground::persistent_grid ? 3.0 : 1.0;
+  const double spacing = widest * CubeGrid().spacing(0, needs.ground_cells);
   return 1.0 - spacing * spacing / 4.0;
 }
 

@@ -20,6 +20,10 @@ class GroundPersistentGrid : public GroundNodes {
     std::unique_ptr<NodeMeshes> nodes = std::make_unique<NodeMeshes>();
   };
 
+  // Settles which grids are shown and made.
+  void hold(const Frame& frame);
+  void show_next();
+
   Held shown_, next_;
 };
 

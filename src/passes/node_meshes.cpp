@@ -58,7 +58,7 @@ void NodeMeshes::make_room(int cells) {
   meshes_ = std::make_unique<gl::Instances>(vec4s_a_node, vertices, indices);
 }
 
-void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid) {
+void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid, Making making) {
   noise_evaluations_ = 0;
   is_full_ = false;  // another eye may leave room
   const int cells = frame.needs.ground_cells;
@@ -73,7 +73,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   eye_ = eye_over(*terrain_, frame.levels_for != nullptr ? *frame.levels_for : frame.pose);
   choose(frame);
   const auto start = std::chrono::steady_clock::now();
-  const double time = time_for(frame.effort);
+  const double time = making == Making::in_time ? time_for(frame.effort) : 0.0;
   // A whole level of detail may be missing at each turn.
   for (int turn = 0; turn <= 2 * deepest_level && !settled() && milliseconds_since(start) < time; ++turn) {
     make_missing(frame, time - milliseconds_since(start));

@@ -15,7 +15,7 @@
 
 namespace terrella {
 
-// Kept at a time: a picture draws one to six hundred; the rest is what it would draw from other places.
+// Kept at a time: a picture draws a hundred to a thousand; the rest is what it would draw from other places.
 inline constexpr int node_slots = 2048;
 
 // A node's instance, in vec4s.
@@ -26,8 +26,9 @@ class NodeMeshes {
   NodeMeshes();
 
   // Chooses what is drawn, and makes what is missing: all of it where the frame is to be complete, else as much as a
-  // frame has time for. grid: kept until the next update; another one than before starts anew.
-  void update(const Frame& frame, std::shared_ptr<const NodeGrid> grid);
+  // frame has time for, or no more than the undivided nodes. grid: another one than before starts anew.
+  enum class Making { in_time, none };
+  void update(const Frame& frame, std::shared_ptr<const NodeGrid> grid, Making making = Making::in_time);
 
   // program: in use, its vertices by shaders/node_vertex.glsl.
   void draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const;

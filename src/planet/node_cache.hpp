@@ -1,4 +1,4 @@
-// Which nodes of a cube_grid are there to be drawn: a fixed number of slots, given to new nodes as old ones are no
+// Which nodes of a grid are there to be drawn: a fixed number of slots, given to new nodes as old ones are no
 // longer used.
 #pragma once
 

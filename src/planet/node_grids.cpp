@@ -11,7 +11,7 @@ std::shared_ptr<const NodeGrid> grid_of(Ground technique, const Scene& scene, co
   CHECK(has_nodes(technique), name_of(technique));
   if (technique == Ground::quadtree) return std::make_shared<CubeGrid>();
   if (technique == Ground::triangle_lod) return std::make_shared<IcosahedronGrid>();
-  return std::make_shared<PersistentGrid>(pose.eye, top_radius(scene) - 1.0);
+  return std::make_shared<PersistentGrid>(pose.eye, relief_top(scene) - 1.0);
 }
 
 }  // namespace terrella

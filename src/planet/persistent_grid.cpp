@@ -15,8 +15,9 @@ namespace {
 // With 2 cells at the rim are twice as long as in the middle, with the 4 of the paper four times.
 constexpr int power = 2;
 
-// It is made for an eye that is so much higher, and serves one that is so much lower.
-constexpr double spare_above = 1.3, spare_below = 0.5;
+// It is made for an eye that is so much higher, reaches so much further than that sees, and serves one that is so much
+// lower.
+constexpr double spare_above = 1.3, spare_aside = 1.05, spare_below = 0.5;
 
 // Even at sea, where no terrain rises, it is to be wider than a point.
 constexpr double least_altitude = 1e-9;
@@ -29,20 +30,24 @@ double offset_that_covers(double zs) { return zs >= 0.0 ? zs : std::max(std::num
 
 }  // namespace
 
-PersistentGrid::PersistentGrid(const glm::dvec3& eye, double top) : altitude_(altitude_of(eye)), top_(top) {
+PersistentGrid::PersistentGrid(const glm::dvec3& eye, double top) : eye_(eye), altitude_(altitude_of(eye)), top_(top) {
   CHECK(top >= 0.0, top);
   w_ = glm::normalize(eye);
   u_ = f64::perpendicular(w_);
   v_ = glm::cross(w_, u_);
-  zs_ = offset_that_covers(f64::grid_offset(1.0, spare_above * altitude_, top).zs);
+  zs_ = offset_that_covers(1.0 / std::tan(spare_aside * f64::grid_offset(1.0, spare_above * altitude_, top).phi));
+  reached_ =
+      std::min(std::atan2(1.0, zs_), std::atan2(std::numbers::sqrt2, zs_));  // in the middle of sides; at corners
   measure_cells();
 }
 
-bool PersistentGrid::serves(const glm::dvec3& eye) const {
-  const double altitude = altitude_of(eye);
-  const double reached = f64::hidden_angle(1.0, spare_above * altitude_, top_);
-  const double aside = f64::angle_between(w_, eye);
-  return altitude >= spare_below * altitude_ && f64::hidden_angle(1.0, altitude, top_) + aside <= reached;
+bool PersistentGrid::reaches(const glm::dvec3& eye, double top) const {
+  const double aside = f64::angle_between(w_, glm::normalize(eye));
+  return f64::hidden_angle(1.0, altitude_of(eye), top) + aside <= reached_;
+}
+
+bool PersistentGrid::serves(const glm::dvec3& eye, double top) const {
+  return altitude_of(eye) >= spare_below * altitude_ && reaches(eye, top);
 }
 
 double PersistentGrid::edge(int level) const { return std::ldexp(2.0 * stretch_, -level); }

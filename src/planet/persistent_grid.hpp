@@ -9,11 +9,16 @@ namespace terrella {
 
 class PersistentGrid : public SquareGrid {
  public:
-  // eye: not 0. top: height of the highest terrain, >= 0; above 0.4 not all that rises beyond the horizon is reached.
+  // eye: not 0. top: height of the highest ground or sea, >= 0; above 0.2 not all that rises beyond the horizon of a
+  // far eye is reached.
   PersistentGrid(const glm::dvec3& eye, double top);
 
-  // Whether it still serves an eye: it reaches all that the eye can see, and would not be much smaller if made for it.
-  [[nodiscard]] bool serves(const glm::dvec3& eye) const;
+  // Whether it was made for just this.
+  [[nodiscard]] bool is_for(const glm::dvec3& eye, double top) const { return eye == eye_ && top == top_; }
+  // Whether it reaches all that an eye can see.
+  [[nodiscard]] bool reaches(const glm::dvec3& eye, double top) const;
+  // Whether it still serves an eye: it reaches far enough, and would not be much smaller if made for it.
+  [[nodiscard]] bool serves(const glm::dvec3& eye, double top) const;
 
   [[nodiscard]] std::span<const GridNode> roots() const override { return {&root_, 1}; }
   [[nodiscard]] double edge(int level) const override;
@@ -27,9 +32,11 @@ class PersistentGrid : public SquareGrid {
   void measure_cells();
 
   GridNode root_;
+  glm::dvec3 eye_;
   double altitude_, top_;
   glm::dvec3 u_, v_, w_;  // the third towards the eye
   double zs_;             // how far it stands off the centre
+  double reached_;        // angle from below the eye to where its rim is nearest, rad
   double stretch_ = 0.0;  // rad, at the most, for a place on the square that is 1 further
   double reach_ = 0.0;
 };

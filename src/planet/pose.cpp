@@ -170,13 +170,17 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
   return {part(left, edge_x, x), part(bottom, edge_y, y), part(right, edge_x, x), part(top, edge_y, y)};
 }
 
-double top_radius(const Scene& scene) {
+double relief_top(const Scene& scene) {
   double top = 1.0;
   if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
   if (has_ground(scene) && has_ice(scene)) top = std::max(top, water_radius(scene) + f64::ice_thickness);
   if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
-  if (scene.clouds.model != 0) top = std::max(top, cloud_radius(scene));
   return top;
+}
+
+double top_radius(const Scene& scene) {
+  const double top = relief_top(scene);
+  return scene.clouds.model != 0 ? std::max(top, cloud_radius(scene)) : top;
 }
 
 double outermost_radius(const Scene& scene) {

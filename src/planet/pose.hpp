@@ -74,7 +74,10 @@ double picture_half_angle(const Pose& pose, const View& view);
 // What a sphere around the planet's centre can cover. radius: planet radii; around the eye, all of the picture.
 PictureBox box_of_sphere(const Pose& pose, const View& view, double radius);
 
-// The highest that ground, sea and clouds rise, radii.
+// The highest that ground and sea rise, radii.
+double relief_top(const Scene& scene);
+
+// The same of clouds as well.
 double top_radius(const Scene& scene);
 
 // Radius that nothing of a scene but the stars lies beyond.

@@ -73,7 +73,7 @@ class Nodes {
     pose_ = pose_of(scene, view);
     eye_ = eye_over(terrain_, pose_);
     const auto* held = dynamic_cast<const PersistentGrid*>(grid_.get());
-    if (held != nullptr && !held->serves(pose_.eye)) place(test::grid_for(kind_, pose_.eye, top_));
+    if (held != nullptr && !held->serves(pose_.eye, top_)) place(test::grid_for(kind_, pose_.eye, top_));
     NodeSight sight = node_sight(pose_, view, {0, view.height}, 1.0);
     if (all_around) sight = {pose_.eye, {}, 0.0};
     for (int turn = 0; turn < turns; ++turn) {
@@ -160,6 +160,8 @@ int check_sides(const Nodes& nodes) {
   for (const DrawnNode& each : nodes.drawn()) {
     unsigned expected = 0;
     for (const NodeBeside& beside : grid.around(nodes.node(each))) {
+      // Nor one above that shows every second vertex only.
+      EXPECT_FALSE(is_drawn(beside.node, 1) && as_above.contains(key_of(grid.parent_of(beside.node))));
       if (is_drawn(beside.node, 1) || as_above.contains(key_of(beside.node))) expected |= beside.shares;
       // Two levels up there is none: such edges would not meet.
       EXPECT_FALSE(is_drawn(beside.node, 2));

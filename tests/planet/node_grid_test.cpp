@@ -162,9 +162,9 @@ TEST(PersistentGrid, ReachesAllThatCanBeSeen) {
     const double top = n % 3 == 0 ? 0.0 : std::pow(10.0, places.between(-6.0, -0.7));
     const glm::dvec3 eye = (1.0 + std::pow(10.0, places.between(-7.0, 3.0))) * places.on_sphere();
     const PersistentGrid grid(eye, top);
-    EXPECT_TRUE(grid.serves(eye));
+    EXPECT_TRUE(grid.serves(eye, top));
     const glm::dvec3 other = eye + 0.2 * (glm::length(eye) - 1.0) * places.in_cube(1.0);
-    const glm::dvec3 served = grid.serves(other) ? other : eye;
+    const glm::dvec3 served = grid.serves(other, top) ? other : eye;
     const double far = f64::hidden_angle(1.0, glm::length(served) - 1.0, top);
     // No place of the rim is nearer to what lies below the eye.
     const NodePatch patch = grid.patch(cells);
@@ -178,10 +178,11 @@ TEST(PersistentGrid, ReachesAllThatCanBeSeen) {
 TEST(PersistentGrid, IsMadeAnewWhereItWouldBeMuchSmaller) {
   const glm::dvec3 up(0.0, 0.6, 0.8);
   const PersistentGrid grid(1.5 * up, 1e-3);
-  EXPECT_TRUE(grid.serves(1.3 * up));
-  EXPECT_FALSE(grid.serves(1.2 * up));
-  EXPECT_FALSE(grid.serves(1.8 * up));
-  EXPECT_FALSE(grid.serves(1.5 * glm::dvec3(0.0, 0.8, 0.6)));
+  EXPECT_TRUE(grid.serves(1.3 * up, 1e-3));
+  EXPECT_FALSE(grid.serves(1.5 * up, 0.2));
+  EXPECT_FALSE(grid.serves(1.2 * up, 1e-3));
+  EXPECT_FALSE(grid.serves(1.9 * up, 1e-3));
+  EXPECT_FALSE(grid.serves(1.5 * glm::dvec3(0.0, 0.8, 0.6), 1e-3));
 }
 
 }  // namespace
