@@ -86,7 +86,7 @@ std::vector<SceneDocument> grounds(const MeasureOptions& options, Issues& issues
   }
   const SceneChoice choice = choose_scene(options.scene);
   issues.add(choice.issues);
-  if (!is_ground_of_nodes(ground_technique(choice.document.scene)))
+  if (!has_nodes(ground_technique(choice.document.scene)))
     issues.add("--ground", "is for planets of real size; there are blue, highlands and giant.");
   return {choice.document};
 }

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "passes/node_meshes.hpp"
 #include "planet/icosphere_groups.hpp"
+#include "planet/node_grids.hpp"
 
 namespace terrella {
 namespace {
@@ -54,18 +55,16 @@ class Sum {
 // As many as are kept could be drawn, each as ground and as sea: by one call for each list of triangles.
 void add_nodes(Sum& sum, const Needs& needs) {
   sum.program("ground/nodes");
-  const std::int64_t cells = needs.ground_cells;
-  const bool triangular = needs.ground == Ground::triangle_lod;
-  const std::int64_t vertices = triangular ? (cells + 1) * (cells + 2) / 2 : (cells + 1) * (cells + 1);
-  const std::int64_t rim = (triangular ? 3 : 4) * cells;
-  const std::int64_t triangles = (triangular ? 1 : 2) * cells * cells + 2 * rim;
+  const NodePatch patch = patch_of(needs.ground, needs.ground_cells);
+  const std::int64_t vertices = std::ssize(patch.vertices), rim = std::ssize(patch.rim), lists = patch.lists();
+  const std::int64_t triangles = std::ssize(patch.triangles) / 3 + 2 * rim;
   // Beside a grid around the eye there is room for the next.
   const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
   const int layers = needs.water != Water::none ? 2 : 1;
-  sum.draw(layers * node_slots * triangles, 17 * layers);
+  sum.draw(layers * node_slots * triangles, static_cast<int>(lists) * layers);
   for (int n = 0; n < kept; ++n) {
     for (const int texel_bytes : {16, 16, 8, 8, 8}) sum.texels(vertices * node_slots, texel_bytes);
-    sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + 17 * 6 * triangles + 8 * (vertices + rim));
+    sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + lists * 6 * triangles + 8 * (vertices + rim));
   }
 }
 

@@ -1,6 +1,5 @@
 #include "measure/ground_models.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "base/check.hpp"
@@ -21,11 +20,6 @@ constexpr std::array models = {
 std::span<const Ground> ground_models() {
   if (!has_real_size) return {};
   return models;
-}
-
-bool is_ground_of_nodes(Ground model) {
-  const std::span<const Ground> models_here = ground_models();
-  return std::find(models_here.begin(), models_here.end(), model) != models_here.end();
 }
 
 Scene with_ground(Scene scene, Ground model) {

@@ -10,8 +10,6 @@ namespace terrella {
 // Those that this build has; each is a choice of terrain.model by its name.
 std::span<const Ground> ground_models();
 
-bool is_ground_of_nodes(Ground model);
-
 // The scene with its ground drawn that way.
 Scene with_ground(Scene scene, Ground model);
 

@@ -67,8 +67,9 @@ class NodePicture {
   NodeCache cache_;
   NodeChoice choice_;
   NodeVertices scratch_;
-  std::vector<Places> places_;                                           // by slot
-  std::array<std::array<std::vector<std::uint16_t>, 17>, 2> triangles_;  // by skirt, as node_triangles has lists
+  std::vector<Places> places_;  // by slot
+  std::array<std::array<std::vector<std::uint16_t>, most_node_lists>, 2>
+      triangles_;  // by skirt, as node_triangles has lists
   int made_ = 0;
   double making_ms_ = 0.0;
 };

@@ -40,11 +40,9 @@ void NodeMeshes::start_anew(const Frame& frame) {
 void NodeMeshes::make_room(int cells) {
   patch_ = grid_->patch(cells);
   const auto count = patch_.vertices.size();
-  if (textures_.front() == nullptr || textures_.front()->width() != static_cast<int>(count)) {
-    for (std::size_t i = 0; i < textures_.size(); ++i) {
-      const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
-      textures_.at(i) = std::make_unique<gl::Image>(static_cast<int>(count), node_slots, format);
-    }
+  for (std::size_t i = 0; i < textures_.size(); ++i) {
+    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
+    textures_.at(i) = std::make_unique<gl::Image>(static_cast<int>(count), node_slots, format);
   }
   std::vector<glm::ivec2> vertices;
   for (std::size_t n = 0; n < count; ++n) vertices.emplace_back(n, patch_.vertices[n].touches);
@@ -62,9 +60,9 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   noise_evaluations_ = 0;
   is_full_ = false;  // another eye may leave room
   const int cells = frame.needs.ground_cells;
-  const bool other_grid = grid_ != grid, other_nodes = other_grid || patch_.cells != cells;
+  const bool other_nodes = grid_ != grid || patch_.cells != cells;
   grid_ = std::move(grid);
-  if (other_nodes) make_room(cells);
+  if (patch_.cells != cells) make_room(cells);
   if (other_nodes || terrain_ != exact_terrain_of(frame.scene)) start_anew(frame);
   ranges_ = ranges_of(*grid_, frame.needs);
   for (const GridNode& root : grid_->roots()) {

@@ -25,9 +25,11 @@ class NodeMeshes {
  public:
   NodeMeshes();
 
-  // Chooses what is drawn, and makes what is missing: all of it where the frame is to be complete, else as much as a
-  // frame has time for, or no more than the undivided nodes. grid: another one than before starts anew.
   enum class Making { in_time, none };
+
+  // Chooses what is drawn, and makes what is missing: all of it where the frame is to be complete, else as much as a
+  // frame has time for, or no more than the undivided nodes. grid: another one than before starts anew; its patches are
+  // the same.
   void update(const Frame& frame, std::shared_ptr<const NodeGrid> grid, Making making = Making::in_time);
 
   // program: in use, its vertices by shaders/node_vertex.glsl.
@@ -49,8 +51,6 @@ class NodeMeshes {
   bool make(const Scene& scene, const GridNode& node);
   void pack(const Frame& frame);
 
-  static constexpr std::size_t most_lists = 17;
-
   // The nodes of one list of triangles among the instances.
   struct Run {
     std::size_t first = 0, count = 0;
@@ -65,9 +65,9 @@ class NodeMeshes {
   NodeRanges ranges_;
   std::optional<f64::Terrain> terrain_;
   std::array<std::unique_ptr<gl::Image>, 5> textures_;
-  std::array<Run, most_lists> lists_;  // of the triangles (node_triangles)
+  std::array<Run, most_node_lists> lists_;  // of the triangles (node_triangles)
   std::unique_ptr<gl::Instances> meshes_;
-  std::array<std::array<Run, most_lists>, 2> runs_;  // of the layers
+  std::array<std::array<Run, most_node_lists>, 2> runs_;  // of the layers
   std::vector<glm::vec4> instances_;
   bool is_full_ = false;
   std::int64_t noise_evaluations_ = 0;

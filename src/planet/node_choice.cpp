@@ -26,16 +26,15 @@ class Choice {
     for (const int slot : choice_.level) {
       const GridNode node = cache_.at(slot).node;
       const double edge = grid_.edge(node.level);
-      const double distance = distance_of(cache_.at(slot).frame.outline, eye_, ranges_.reach * edge);
+      const NodeDistance distance = distance_of(cache_.at(slot).frame.outline, eye_, ranges_.reach * edge);
       const double wanted = node.level < ranges_.deepest ? ranges_.split * edge : 0.0;
-      bool splits = distance < wanted;
-      if (distance < look_ahead * wanted) splits = has_quarters(node, distance) && splits;
-      splits = splits && coarser_around(node) == 0;
+      bool splits = distance.to_split < wanted;
+      if (distance.to_split < look_ahead * wanted) splits = has_quarters(node, distance.to_split) && splits;
+      splits = splits && !has_coarser_around(node);
       if (splits) {
         add_quarters(node);
       } else {
-        const double nearest = std::hypot(eye_.lift, nearest_to(cache_.at(slot).frame.outline, eye_.direction));
-        const bool as_above = node.level > 0 && nearest >= ranges_.morph_end() * edge;
+        const bool as_above = node.level > 0 && distance.nearest >= ranges_.morph_end() * edge;
         cache_.make_leaf(slot, as_above);
         choice_.drawn.push_back({slot, 0, as_above});
       }
@@ -60,16 +59,6 @@ class Choice {
     return coarse;
   }
 
-  // Which are of the level above.
-  [[nodiscard]] unsigned coarser_around(const GridNode& node) const {
-    if (node.level == 0) return 0;
-    unsigned coarser = 0;
-    for (const NodeBeside& beside : grid_.around(node)) {
-      if ((coarser & beside.shares) == 0 && lies_in_leaf(beside.node)) coarser |= beside.shares;
-    }
-    return coarser;
-  }
-
  private:
   void add_quarters(const GridNode& node) {
     for (const GridNode& child : grid_.children_of(node)) add_visible(child);
@@ -88,6 +77,12 @@ class Choice {
       choice_.missing.push_back({child, distance});
     }
     return all;
+  }
+
+  [[nodiscard]] bool has_coarser_around(const GridNode& node) const {
+    const NodesAround around = grid_.around(node);
+    return std::any_of(around.begin(), around.end(),
+                       [&](const NodeBeside& beside) { return lies_in_leaf(beside.node); });
   }
 
   [[nodiscard]] bool is_as_above(const GridNode& node) const {
@@ -148,9 +143,9 @@ NodeSight node_sight(const Pose& pose, const View& view, const Rows& rows, doubl
   return sight;
 }
 
-double distance_of(const NodeOutline& node, const NodeEye& eye, double widest) {
+NodeDistance distance_of(const NodeOutline& node, const NodeEye& eye, double widest) {
   const double nearest = std::hypot(eye.lift, nearest_to(node, eye.direction));
-  return std::max(nearest, std::hypot(eye.lift, farthest_from(node, eye.direction)) - widest);
+  return {nearest, std::max(nearest, std::hypot(eye.lift, farthest_from(node, eye.direction)) - widest)};
 }
 
 void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& eye, const NodeRanges& ranges,

@@ -50,9 +50,14 @@ struct NodeChoice {
 void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& eye, const NodeRanges& ranges,
                   NodeCache& cache, NodeChoice& choice);
 
-// How far a node is from the eye, as NodeEye counts, to be held against the distance within which it is split: its
-// nearest place, but where its farthest would be left further than `widest` (NodeGrid::reach, as a distance) beyond
-// that.
-double distance_of(const NodeOutline& node, const NodeEye& eye, double widest);
+// How far a node is from the eye, as NodeEye counts.
+struct NodeDistance {
+  double nearest;   // its nearest place
+  double to_split;  // what is held against the distance within which it is split: the same, but where its farthest
+                    // place would be left further than `widest` beyond that
+};
+
+// widest: NodeGrid::reach, as a distance.
+NodeDistance distance_of(const NodeOutline& node, const NodeEye& eye, double widest);
 
 }  // namespace terrella

@@ -14,4 +14,9 @@ std::shared_ptr<const NodeGrid> grid_of(Ground technique, const Scene& scene, co
   return std::make_shared<PersistentGrid>(pose.eye, relief_top(scene) - 1.0);
 }
 
+NodePatch patch_of(Ground technique, int cells) {
+  CHECK(has_nodes(technique), name_of(technique));
+  return technique == Ground::triangle_lod ? triangle_patch(cells) : square_patch(cells);
+}
+
 }  // namespace terrella

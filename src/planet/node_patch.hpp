@@ -1,6 +1,7 @@
 // The vertices of a node and the triangles between them, which all nodes of a grid have in common.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,9 @@ namespace terrella {
 // What a vertex lies on and what neighbours share, as bits: sides from the first bit on, and corners.
 inline constexpr unsigned first_side = 1, first_corner = 16;
 inline constexpr unsigned all_sides = first_corner - 1;
+
+// Lists of triangles that a patch has at the most.
+inline constexpr std::size_t most_node_lists = 17;
 
 struct NodePatch {
   struct Vertex {

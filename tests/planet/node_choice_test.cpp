@@ -336,9 +336,9 @@ TEST_P(NodeChoices, SplitWhatIsNear) {
     nodes.choose(scene, false);
     for (const DrawnNode& each : nodes.drawn()) {
       const int level = nodes.node(each).level;
-      EXPECT_TRUE(level == deepest_level || distance_of(nodes.frame(each).outline, nodes.eye(),
-                                                        nodes.ranges().reach * nodes.grid().edge(level)) >=
-                                                nodes.ranges().split * nodes.grid().edge(level));
+      EXPECT_TRUE(level == deepest_level ||
+                  distance_of(nodes.frame(each).outline, nodes.eye(), nodes.ranges().reach * nodes.grid().edge(level))
+                          .to_split >= nodes.ranges().split * nodes.grid().edge(level));
     }
   }
 }
