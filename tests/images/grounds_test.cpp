@@ -1,7 +1,6 @@
 // The three grounds of a planet of real size against the reference and each other, from eight altitudes and where grids
 // have their corners. Floors and ceilings hold for each of them and stand a little beside the worst that was measured
 // with llvmpipe; `TERRELLA_PRINT=1 images_tests` prints all.
-#include "images/grounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +14,7 @@
 
 #include "images/bare_ground.hpp"
 #include "images/reference_errors.hpp"
+#include "measure/ground_models.hpp"
 #include "native/egl_context.hpp"
 #include "planet/needs.hpp"
 
@@ -87,20 +87,20 @@ TEST_P(Grounds, ShowTheSamePicture) {
   Scene scene = real_ground(place.latitude, place.longitude, place.clearance, place.pitch);
   const test::Exact exact(scene);
   std::vector<Image> pictures;
-  for (const test::GroundOfNodes& ground : test::grounds_of_nodes) {
-    scene.terrain.model = ground.model;
+  for (const Ground ground : ground_models()) {
+    scene = with_ground(scene, ground);
     Renderer renderer;
     const test::Errors errors = errors_of(scene, renderer, exact);
     pictures.push_back(test::cut_off(test::light_of(scene, renderer)));
     if (std::getenv("TERRELLA_PRINT") != nullptr)
-      std::printf("%-26s%-16s %s\n", place.name, ground.name, text_of(errors).c_str());
+      std::printf("%-26s%-16s %s\n", place.name, std::string(name_of(ground)).c_str(), text_of(errors).c_str());
     ASSERT_TRUE(std::isfinite(errors.psnr) && std::isfinite(errors.flip));
     if (test::sanitized) continue;  // floors are those of larger pictures
-    EXPECT_GE(errors.psnr, place.psnr) << ground.name;
-    EXPECT_LE(errors.flip, place.flip) << ground.name;
-    EXPECT_LE(errors.geometry.silhouette, place.silhouette) << ground.name;
-    EXPECT_LE(errors.geometry.distance_p99, place.distance) << ground.name;
-    EXPECT_LE(errors.geometry.normal_median, place.normal) << ground.name;
+    EXPECT_GE(errors.psnr, place.psnr) << name_of(ground);
+    EXPECT_LE(errors.flip, place.flip) << name_of(ground);
+    EXPECT_LE(errors.geometry.silhouette, place.silhouette) << name_of(ground);
+    EXPECT_LE(errors.geometry.distance_p99, place.distance) << name_of(ground);
+    EXPECT_LE(errors.geometry.normal_median, place.normal) << name_of(ground);
   }
   if (test::sanitized) return;
   for (std::size_t i = 0; i < pictures.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -10,8 +11,8 @@
 
 #include "app/develop.hpp"
 #include "app/still.hpp"
-#include "images/grounds.hpp"
 #include "laws/random_places.hpp"
+#include "measure/ground_models.hpp"
 #include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
 #include "sanitized.hpp"
@@ -37,10 +38,10 @@ double part_of(std::vector<double>& values, double p) {
 }
 
 // Steep all over, so that nodes differ much from the coarser ones.
-Scene rugged(int model, double radius) {
+Scene rugged(Ground ground, double radius) {
   Scene scene;
   scene.planet.radius = radius;
-  scene.terrain.model = model;
+  scene = with_ground(scene, ground);
   auto& terrain = scene.terrain;
   terrain.height = 2e-3 * radius;
   terrain.frequency = 40.0;
@@ -58,10 +59,70 @@ void stand_over_ground(Scene& scene, double clearance) {
   scene.camera.altitude = (ground + clearance - 1.0) * scene.planet.radius;
 }
 
-class NodesInPictures : public testing::TestWithParam<test::GroundOfNodes> {};
+// Of mountains, without clouds.
+Scene bare_highlands(Ground ground) {
+  Scene scene = with_ground(find_preset("highlands")->scene, ground);
+  scene.clouds.model = 0;
+  return scene;
+}
 
-INSTANTIATE_TEST_SUITE_P(Of, NodesInPictures, testing::ValuesIn(test::grounds_of_nodes),
-                         testing::PrintToStringParamName());
+// By day, from among mountains.
+Scene mountains_by_day(const char* preset, Ground ground) {
+  Scene scene = with_ground(find_preset(preset)->scene, ground);
+  scene.clouds.model = scene.stars.model = 0;
+  scene.camera.latitude = -41.3;
+  scene.camera.longitude = 131.5;
+  scene.sun.latitude = -41.3;
+  scene.sun.longitude = 90.0;
+  return scene;
+}
+
+// Down to where the picture holds nothing but ground.
+double pitch_below_horizon(double clearance) {
+  return std::max(-glm::degrees(std::acos(1.0 / (1.0 + clearance))) - 8.0, -90.0);
+}
+
+// A part of a picture of 720 rows, so that levels of detail are those of such a one.
+View part_of_a_picture() {
+  View view;
+  view.width = 160;
+  view.height = 90;
+  view.field = 90.0 / 720.0;
+  return view;
+}
+
+View small_view() {
+  View view;
+  view.width = width;
+  view.height = height;
+  return view;
+}
+
+// Expects ground in every pixel whose ray meets a sphere; returns how many do. has_ground: of x and y, from the upper
+// left.
+template <class HasGround>
+int check_holes(const Pose& pose, const View& view, double radius, const HasGround& has_ground) {
+  int looked_at = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const f64::Roots roots = f64::ray_sphere(pose.eye, ray_through(pose, view, {x + 0.5, y + 0.5}), radius);
+      if (!roots.met || roots.t1 < 0.0) continue;
+      ++looked_at;
+      EXPECT_TRUE(has_ground(x, y)) << "pixel " << x << ", " << y;
+    }
+  }
+  return looked_at;
+}
+
+// By a pixel at the limb, rad.
+double pixel_at_limb(const Pose& pose) {
+  return pose.pixel_angle * f64::horizon_distance(1.0, glm::length(pose.eye) - 1.0);
+}
+
+class NodesInPictures : public testing::TestWithParam<Ground> {};
+
+INSTANTIATE_TEST_SUITE_P(Of, NodesInPictures, testing::ValuesIn(ground_models()),
+                         [](const auto& of) { return std::string(name_of(of.param)); });
 
 TEST_P(NodesInPictures, LeaveNoHole) {
   test::Places places(11);
@@ -70,7 +131,7 @@ TEST_P(NodesInPictures, LeaveNoHole) {
   Renderer renderer;
   const char* asked = std::getenv("TERRELLA_CAMERAS");
   const int cameras = asked != nullptr ? std::atoi(asked) : test::sanitized ? 4 : 200;
-  Scene scene = rugged(GetParam().model, 6.36e6);
+  Scene scene = rugged(GetParam(), 6.36e6);
   std::int64_t looked_at = 0;
   for (int n = 0; n < cameras; ++n) {
     auto& camera = scene.camera;
@@ -79,22 +140,13 @@ TEST_P(NodesInPictures, LeaveNoHole) {
     camera.heading = places.between(-180.0, 180.0);
     camera.pitch = places.between(-90.0, 0.0);
     stand_over_ground(scene, std::pow(10.0, places.between(-6.0, 1.0)));
-    View view;
-    view.width = width;
-    view.height = height;
+    const View view = small_view();
     const Pose pose = pose_of(scene, view);
-    const double to_limb = f64::horizon_distance(1.0, glm::length(pose.eye) - 1.0);
-    const double inner = 1.0 - pose.pixel_angle * to_limb;
     const Image distance = take_measurement(renderer, scene, still(), Channel::distance);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        // Whoever meets a sphere that lies by a pixel under all ground has ground before it.
-        const f64::Roots roots = f64::ray_sphere(pose.eye, ray_through(pose, view, {x + 0.5, y + 0.5}), inner);
-        if (!roots.met || roots.t1 < 0.0) continue;
-        ++looked_at;
-        ASSERT_TRUE(std::isfinite(distance.at(x, y)[0])) << "camera " << n << ", pixel " << x << ", " << y;
-      }
-    }
+    // Whoever meets a sphere that lies by a pixel under all ground has ground before it.
+    looked_at += check_holes(pose, view, 1.0 - pixel_at_limb(pose),
+                             [&](int x, int y) { return std::isfinite(distance.at(x, y)[0]); });
+    if (HasFailure()) FAIL() << "camera " << n;
   }
   EXPECT_GT(looked_at, cameras * 500);
 }
@@ -104,7 +156,7 @@ TEST_P(NodesInPictures, ShowTheSeaFromCloseAboveIt) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
-  Scene scene = rugged(GetParam().model, 6.36e6);
+  Scene scene = rugged(GetParam(), 6.36e6);
   scene.terrain.height = 100.0;
   scene.terrain.ridged = false;
   scene.water.model = 1;
@@ -126,7 +178,7 @@ TEST_P(NodesInPictures, ShowEveryMillimetreOfAWalk) {
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
   for (const double radius : {1e3, 6.36e6, 1e8}) {
-    Scene scene = rugged(GetParam().model, radius);
+    Scene scene = rugged(GetParam(), radius);
     // Slopes as on a planet of 6360 km, and so many layers that the finest hills are a few metres wide.
     scene.terrain.octaves = radius > 1e7 ? 20 : radius > 1e5 ? 16 : 3;
     scene.camera.latitude = 37.0;
@@ -160,8 +212,7 @@ TEST_P(NodesInPictures, ShowEveryMillimetreOfAWalk) {
 }
 
 TEST_P(NodesInPictures, AreTheSameOnEachKindOfOpenGl) {
-  Scene scene = find_preset("blue")->scene;
-  scene.terrain.model = GetParam().model;
+  Scene scene = with_ground(find_preset("blue")->scene, GetParam());
   scene.camera.altitude = 3e5;
   scene.camera.pitch = -30.0;
   const auto picture = [&](Api api) {
@@ -172,26 +223,22 @@ TEST_P(NodesInPictures, AreTheSameOnEachKindOfOpenGl) {
   EXPECT_GT(psnr(picture(Api::core), picture(Api::es)), 45.0);
 }
 
-// As pictures that move are drawn. Returns how many frames it took.
-int draw_until_settled(Renderer& renderer, const Scene& scene, const View& view) {
+// As pictures that move are drawn. levels_for: as of Shot.
+void draw_until_settled(Renderer& renderer, const Scene& scene, const View& view,
+                        const std::optional<Pose>& levels_for = std::nullopt) {
   int frames = 0;
   do {
-    renderer.draw(scene, view, {Channel::color, Effort::live, true});
+    renderer.draw(scene, view, {Channel::color, Effort::live, true, levels_for});
   } while (!renderer.settled() && ++frames < 2000);
   EXPECT_TRUE(renderer.settled());
-  return frames;
 }
 
 // Made a few at a time as the eye moves, nodes end up as those that are made at once.
 TEST_P(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  Scene scene = find_preset("highlands")->scene;
-  scene.terrain.model = GetParam().model;
-  scene.clouds.model = 0;
-  View view;
-  view.width = width;
-  view.height = height;
+  Scene scene = bare_highlands(GetParam());
+  const View view = small_view();
   Renderer at_once, bit_by_bit;
   at_once.draw(scene, view, {Channel::color, Effort::complete, true});
   draw_until_settled(bit_by_bit, scene, view);
@@ -203,9 +250,7 @@ TEST_P(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
 TEST_P(NodesInPictures, AreKeptWhileColoursChange) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  Scene scene = find_preset("highlands")->scene;
-  scene.terrain.model = GetParam().model;
-  scene.clouds.model = 0;
+  Scene scene = bare_highlands(GetParam());
   Renderer renderer;
   const auto noise_of_picture = [&] {
     take_measurement(renderer, scene, still(), Channel::distance);
@@ -231,9 +276,9 @@ Image developed_of(const Renderer& renderer, const Scene& scene, const View& vie
   return developed(linear, scene.picture.tone);
 }
 
-// With levels of detail that are chosen for another pose.
+// As in a flight, with levels of detail that are chosen for another pose.
 Image picture_for(Renderer& renderer, const Scene& scene, const View& view, const Pose& levels_for) {
-  renderer.draw(scene, view, {Channel::color, Effort::complete, true, levels_for});
+  draw_until_settled(renderer, scene, view, levels_for);
   return developed_of(renderer, scene, view);
 }
 
@@ -257,31 +302,24 @@ std::vector<double> changes(const Image& a, const Image& b) {
 TEST_P(NodesInPictures, DoNotPopInADescent) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  // Measured of blue: at the most above 6000 km, and below 2700 km; between them 2.9, of dunes 0.3 all the way. The two
-  // largest are of pixels that the planet's edge passes over.
-  struct {
+  // Measured of blue: at the most above 6000 km, and below 2700 km; between them 2.9, of dunes 0.3 all the way. What
+  // changes most are ponds on the plains and pixels of shores, which come and go with the vertices that hold them.
+  struct Bounds {
     double from_afar, below;
-  } const all_bounds[] = {{12.9, 2.2}, {16.6, 2.6}, {6.5, 2.1}};  // measured: 11.7, 2.0; 15.1, 2.4; 5.9, 1.95
-  const auto& bounds = all_bounds[GetParam().model - test::grounds_of_nodes.front().model];
+  };
+  const std::map<Ground, Bounds> all_bounds = {{Ground::persistent_grid, {12.9, 2.2}},  // measured: 11.7, 2.0
+                                               {Ground::triangle_lod, {16.6, 2.6}},     // 15.1, 2.4
+                                               {Ground::quadtree, {6.5, 2.1}}};         // 5.9, 1.95
+  const Bounds& bounds = all_bounds.at(GetParam());
   const bool prints = std::getenv("TERRELLA_PRINT") != nullptr;
-  View view;
-  view.width = 160;
-  view.height = 90;
-  view.field = 90.0 / 720.0;
+  const View view = part_of_a_picture();
   for (const char* preset : {"blue", "dunes"}) {
     Renderer renderer;
-    Scene scene = find_preset(preset)->scene;
-    scene.terrain.model = GetParam().model;
-    scene.clouds.model = scene.stars.model = 0;
-    scene.camera.latitude = -41.3;
-    scene.camera.longitude = 131.5;
-    scene.sun.latitude = -41.3;
-    scene.sun.longitude = 90.0;
+    Scene scene = mountains_by_day(preset, GetParam());
     constexpr int stride = test::sanitized ? 250 : 11;
     for (double altitude = 1e7; altitude > 2.0; altitude *= std::pow(0.99, stride)) {
       const double clearance = altitude / scene.planet.radius;
-      const double dip = std::acos(1.0 / (1.0 + clearance));
-      scene.camera.pitch = std::max(-glm::degrees(dip) - 8.0, -90.0);
+      scene.camera.pitch = pitch_below_horizon(clearance);
       stand_over_ground(scene, clearance / 0.99);
       const Pose before = pose_of(scene, view);
       stand_over_ground(scene, clearance);
@@ -303,20 +341,11 @@ TEST_P(NodesInPictures, DoNotPopInADescent) {
 TEST(PersistentGridInPictures, ChangesAsMuchAsItMissesOfTheGround) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  View view;
-  view.width = 160;
-  view.height = 90;
-  view.field = 90.0 / 720.0;
-  Scene scene = find_preset("blue")->scene;
-  scene.terrain.model = test::grounds_of_nodes.front().model;
-  scene.clouds.model = scene.stars.model = 0;
-  scene.camera.latitude = -41.3;
-  scene.camera.longitude = 131.5;
-  scene.sun.latitude = -41.3;
-  scene.sun.longitude = 90.0;
+  const View view = part_of_a_picture();
+  Scene scene = mountains_by_day("blue", Ground::persistent_grid);
   for (double altitude = 1e6; altitude > 2.0; altitude *= test::sanitized ? 0.01 : 0.25) {
     const double clearance = altitude / scene.planet.radius;
-    scene.camera.pitch = std::max(-glm::degrees(std::acos(1.0 / (1.0 + clearance))) - 8.0, -90.0);
+    scene.camera.pitch = pitch_below_horizon(clearance);
     Renderer held, fresh;
     stand_over_ground(scene, 1.2 * clearance);
     picture_for(held, scene, view, pose_of(scene, view));
@@ -337,10 +366,8 @@ TEST(PersistentGridInPictures, ChangesAsMuchAsItMissesOfTheGround) {
 TEST(PersistentGridInPictures, PassesFromPlaceToPlaceWithoutAHole) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  View view;
-  view.width = width;
-  view.height = height;
-  Scene scene = rugged(test::grounds_of_nodes.front().model, 6.36e6);
+  const View view = small_view();
+  Scene scene = rugged(Ground::persistent_grid, 6.36e6);
   scene.camera.pitch = -90.0;
   Renderer renderer;
   struct {
@@ -351,21 +378,13 @@ TEST(PersistentGridInPictures, PassesFromPlaceToPlaceWithoutAHole) {
     scene.camera.longitude += latitude < 0.0 ? 150.0 : 0.0;
     stand_over_ground(scene, clearance);
     const Pose pose = pose_of(scene, view);
-    const double to_limb = f64::horizon_distance(1.0, glm::length(pose.eye) - 1.0);
     for (int frame = 0; frame < 2000 && (frame == 0 || !renderer.settled()); ++frame) {
       renderer.draw(scene, view, {Channel::distance, Effort::live, true});
       const std::vector<float> distances = renderer.read_light();
-      for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-          const glm::dvec3 ray = ray_through(pose, view, {x + 0.5, y + 0.5});
-          const f64::Roots roots = f64::ray_sphere(pose.eye, ray, 1.0 - 2.0 * pose.pixel_angle * to_limb - 0.06);
-          const std::size_t pixel = 4 * static_cast<std::size_t>((height - 1 - y) * width + x);
-          if (roots.met && roots.t1 > 0.0) {
-            ASSERT_TRUE(std::isfinite(distances[pixel]))
-                << latitude << " " << clearance << ", frame " << frame << ", pixel " << x << ", " << y;
-          }
-        }
-      }
+      check_holes(pose, view, 1.0 - 2.0 * pixel_at_limb(pose) - 0.06, [&](int x, int y) {
+        return std::isfinite(distances[4 * static_cast<std::size_t>((height - 1 - y) * width + x)]);
+      });
+      if (HasFailure()) FAIL() << latitude << " " << clearance << ", frame " << frame;
     }
     EXPECT_TRUE(renderer.settled());
     Renderer fresh;
