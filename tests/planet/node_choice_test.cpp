@@ -132,7 +132,7 @@ class Nodes {
   bool bare_;
   double top_;
   f64::Terrain terrain_;
-  NodeCache cache_{bare_ ? 4000 : 20000};
+  NodeCache cache_{bare_ ? 8000 : 20000};
   NodeChoice choice_;
   NodeVertices scratch_;
   Pose pose_{};
