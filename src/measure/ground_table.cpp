@@ -23,10 +23,7 @@ constexpr int places = 20'000;
 
 ErrorSpread spread_of_errors(const std::vector<NodeError>& errors, double NodeError::*of) {
   if (errors.empty()) return {};
-  std::vector<double> values;
-  for (const NodeError& error : errors) values.push_back(error.*of);
-  std::sort(values.begin(), values.end());
-  return {values[values.size() / 2], values[values.size() * 99 / 100], values.back()};
+  return {percentile(errors, of, 0.5), percentile(errors, of, 0.99), percentile(errors, of, 1.0)};
 }
 
 // Median, ms.
