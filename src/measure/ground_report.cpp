@@ -104,7 +104,7 @@ picture shows: from where it shows the place to where it shows the ground above 
 upright is the p99 of how long that way would be across the line of sight, as it never quite is from above. Nodes, of so
 many cells along a side and split in four within so many of their edges,
 vertices and triangles are all that the GPU is given for the ground, skirts apart; seen are those of its triangles that
-turn to the eye, lie in the picture and have neither sea nor planet before them, coarse those that have passed wholly to the shape of the
+turn to the eye, lie in the picture and have neither sea nor planet nor nearer mountains before them, coarse those that have passed wholly to the shape of the
 level above, which a quarter as many would show; the sea is drawn with triangles of its
 own. Made are nodes, also coarser ones that are not drawn, from nothing within make ms. Of every frame, on one core: look
 ms to measure how near the ground is, choose ms to choose, to leave out what is not seen, and to sort. Frame ms is that of

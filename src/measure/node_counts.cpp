@@ -1,9 +1,11 @@
 #include "measure/node_counts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "measure/seen_places.hpp"
+#include "measure/skyline.hpp"
 
 namespace terrella {
 namespace {
@@ -36,14 +38,19 @@ NodeCounts node_counts(const NodePicture& picture, NodeLayer layer) {
 
 std::int64_t seen_triangles(const NodePicture& picture) {
   const SeenPlaces seen(picture.scene(), picture.view(), picture.pose(), picture.needs());
+  GroundSkyline skyline(picture.pose().eye);
   std::int64_t count = 0;
   for (const DrawnNode& drawn : picture.drawn()) {
     if (!picture.shows(NodeLayer::ground, drawn)) continue;
     const std::vector<glm::dvec3> vertices = picture.vertices_of(drawn);
     const std::vector<std::uint16_t>& list = picture.triangles_of(drawn, NodePicture::Skirt::without);
     for (std::size_t i = 0; i < list.size(); i += 3) {
-      if (seen.is_seen(vertices[list[i]], vertices[list[i + 1]], vertices[list[i + 2]])) ++count;
+      const std::array<glm::dvec3, 3> corners = {vertices[list[i]], vertices[list[i + 1]], vertices[list[i + 2]]};
+      const bool is_hidden =
+          std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) { return skyline.hides(corner); });
+      if (!is_hidden && seen.is_seen(corners[0], corners[1], corners[2])) ++count;
     }
+    skyline.add(vertices, list);
   }
   return count;
 }

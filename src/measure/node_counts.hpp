@@ -16,8 +16,8 @@ struct NodeCounts {
 
 NodeCounts node_counts(const NodePicture& picture, NodeLayer layer);
 
-// Of the ground's triangles without skirts those that turn to the eye and lie in the picture, and before neither sea
-// nor planet: no method can do without these, but for what mountains hide.
+// Of the ground's triangles without skirts those that turn to the eye and lie in the picture, and have neither
+// sea nor planet nor nearer mountains before them: no method can do without these.
 std::int64_t seen_triangles(const NodePicture& picture);
 
 // Of the ground's triangles without skirts those that have the shape of the level above and nothing of their own: a

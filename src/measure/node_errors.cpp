@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "measure/seen_places.hpp"
+#include "measure/skyline.hpp"
 
 namespace terrella {
 namespace {
@@ -68,6 +69,7 @@ double percentile(std::vector<NodeError> errors, double NodeError::*of, double p
 std::vector<NodeError> node_errors(const NodePicture& picture, int places, double footprint) {
   const Pose& pose = picture.pose();
   const SeenPlaces seen(picture.scene(), picture.view(), pose, picture.needs());
+  GroundSkyline skyline(pose.eye);
   Chance chance;
   std::vector<NodeError> errors;
   const std::size_t in_each = static_cast<std::size_t>(places) / std::max<std::size_t>(picture.drawn().size(), 1) + 1;
@@ -79,7 +81,7 @@ std::vector<NodeError> node_errors(const NodePicture& picture, int places, doubl
     for (std::size_t i = 0; i < in_each; ++i) {
       const std::array<glm::dvec3, 3> corners = chance.triangle_of(vertices, triangles);
       const glm::dvec3 place = chance.place_in(corners);
-      if (!seen.is_seen(place) || !turns_to(corners, pose.eye)) continue;
+      if (!seen.is_seen(place) || !turns_to(corners, pose.eye) || skyline.hides(place)) continue;
       const double pixel = pose.pixel_angle * glm::distance(place, pose.eye), radius = glm::length(place);
       const glm::dvec3 up = place / radius;
       const double ground = 1.0 + f64::terrain_height_at(up, picture.terrain(), footprint * pixel).value;
@@ -87,6 +89,7 @@ std::vector<NodeError> node_errors(const NodePicture& picture, int places, doubl
       errors.push_back(
           {glm::distance(seen.pixel_of(place), seen.pixel_of(ground * up)), std::abs(radius - ground) / pixel, pixels});
     }
+    skyline.add(vertices, triangles);
   }
   return errors;
 }

@@ -14,7 +14,7 @@ struct NodeError {
   double pixels;   // of the picture for which the place stands, in proportion
 };
 
-// At random places of drawn triangles, the same each time, that the picture shows, but for mountains before them.
+// At random places of drawn triangles, the same each time, that the picture shows.
 // places: tried in all, as many in each node, uniformly by its triangles. footprint: pixels; what is too fine for
 // samples so far apart is not counted as ground.
 std::vector<NodeError> node_errors(const NodePicture& picture, int places, double footprint);

@@ -63,6 +63,16 @@ bool NodePicture::make(const GridNode& node) {
   return true;
 }
 
+std::vector<DrawnNode> NodePicture::hidden() const {
+  std::vector<DrawnNode> all;
+  for (const NodeSilhouette& silhouette : choice_.silhouettes) {
+    const bool is_drawn = std::any_of(choice_.drawn.begin(), choice_.drawn.end(),
+                                      [&](const DrawnNode& drawn) { return drawn.slot == silhouette.drawn.slot; });
+    if (!is_drawn) all.push_back(silhouette.drawn);
+  }
+  return all;
+}
+
 bool NodePicture::shows(NodeLayer layer, const DrawnNode& drawn) const {
   const NodeCache::Entry& entry = cache_.at(drawn.slot);
   const double spacing = grid_->spacing(entry.node.level, patch_.cells);

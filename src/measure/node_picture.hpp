@@ -29,7 +29,10 @@ class NodePicture {
   [[nodiscard]] const NodePatch& patch() const { return patch_; }
   [[nodiscard]] const NodeRanges& ranges() const { return ranges_; }
 
+  // The nearest first.
   [[nodiscard]] std::span<const DrawnNode> drawn() const { return choice_.drawn; }
+  // Left out because nearer ones hide them.
+  [[nodiscard]] std::vector<DrawnNode> hidden() const;
   [[nodiscard]] bool shows(NodeLayer layer, const DrawnNode& drawn) const;
   // How far each vertex has taken on the shape of the level above, 0..1.
   [[nodiscard]] std::vector<double> coarse_parts_of(const DrawnNode& drawn) const;

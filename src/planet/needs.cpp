@@ -119,7 +119,7 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   decide.add("ground.split", needs.ground_split,
              "edges of a node within which it is split in four: more where its cells are not enough for the picture");
   const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
-  needs.ground_finest = std::max(0.25 / finest, 2.0 * finest_footprint);
+  needs.ground_finest = std::max(0.125 / finest, 2.0 * finest_footprint);
   decide.add("ground.finest", needs.ground_finest * scene.planet.radius,
              "m between vertices, which shows the finest layer of noise: no closer anywhere");
   constexpr double coarsest_spacing = 0.2;  // about that of undivided nodes of the fewest cells

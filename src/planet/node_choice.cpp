@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.hpp"
+#include "planet/node_horizon.hpp"
 
 namespace terrella {
 namespace {
@@ -99,7 +100,7 @@ class Choice {
 
   // Radius of the highest of ground and sea over a node.
   [[nodiscard]] double top_of(const NodeFrame& frame) const {
-    return std::max(1.0 + frame.heights.highest, sight_.sea);
+    return std::max(1.0 + frame.heights.highest, sight_.top_of_sea(frame.outline));
   }
 
   [[nodiscard]] bool is_seen(const NodeCache::Entry& entry) const {
@@ -131,6 +132,10 @@ class Choice {
 
 }  // namespace
 
+double NodeSight::top_of_sea(const NodeOutline& node) const {
+  return sea + std::min(sea_lift * (glm::distance(eye, node.middle) + node.half_width), most_sea_lift);
+}
+
 NodeSight node_sight(const Pose& pose, const View& view, const Rows& rows, double occluder) {
   const double w = view.width, top = view.height - rows.end, bottom = view.height - rows.first;
   const std::array<glm::dvec2, 4> corners = {{{0.0, top}, {0.0, bottom}, {w, bottom}, {w, top}}};
@@ -159,6 +164,7 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   std::swap(choice.level, choice.next);
   // Level by level, so that each node knows what its neighbours above have become.
   while (!choice.level.empty()) chooser.pass_level();
+  if (sight.mountains_hide) leave_out_hidden(grid, sight, ranges.cells, cache, choice);
   for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarse_around(cache.at(drawn.slot).node);
   std::sort(choice.missing.begin(), choice.missing.end(), [](const MissingNode& a, const MissingNode& b) {
     return std::tie(a.node.level, a.distance) < std::tie(b.node.level, b.distance);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "planet/node_cache.hpp"
@@ -15,7 +16,13 @@ struct NodeSight {
   glm::dvec3 eye;
   std::array<glm::dvec3, 4> sides;  // unit, inwards, of the planes through the eye
   double occluder;                  // radius of a sphere that hides what lies behind it
+  bool mountains_hide = false;      // whether nodes are left out of which nothing can be seen over nearer ones
   double sea = 0.0;                 // radius up to which a sea lies over lower ground; 0: there is none
+  // By how much it is raised: a part of its distance, and never more than that (Needs).
+  double sea_lift = 0.0, most_sea_lift = 0.0;
+
+  // Radius of the highest sea over a node.
+  [[nodiscard]] double top_of_sea(const NodeOutline& node) const;
 };
 
 // rows: of the picture.
@@ -37,6 +44,17 @@ struct MissingNode {
   double distance;  // of the node that it is a quarter of
 };
 
+// How a node looks from the eye: over which azimuths and how high (leave_out_hidden).
+struct NodeSilhouette {
+  DrawnNode drawn;
+  bool is_known = false;
+  double nearest = 0.0;            // from below the eye, as a chord, here and below
+  double from = 0.0, to = 0.0;     // azimuths of its corners
+  double widened = 0.0;            // by how much its sides may reach beyond these
+  double top = 0.0, bottom = 0.0;  // tangents of elevations
+  double hidden_from = 0.0;        // from here on it hides all that is no higher than its bottom
+};
+
 // Room for a frame's work, so that none is allocated again.
 struct NodeChoice {
   std::vector<DrawnNode> drawn;
@@ -44,6 +62,9 @@ struct NodeChoice {
                                      // of a level the nearest
 
   std::vector<int> level, next;  // slots of nodes of a level while it is looked through
+  std::vector<NodeSilhouette> silhouettes;
+  // Distances and places of silhouettes: of all by their nearest, and of those that can hide by hidden_from.
+  std::array<std::vector<std::pair<double, std::size_t>>, 2> orders;
 };
 
 // Replaces what was chosen before. The cache must hold the roots of the grid, and have begun the frame.

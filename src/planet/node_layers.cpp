@@ -19,7 +19,12 @@ NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pos
   const double sea = needs.water == Water::none ? 0.0 : water_radius(scene);
   // Under all of the ground and the water, and what they hide lies behind it.
   NodeSight sight = node_sight(pose, view, {0, view.height}, std::max(sea, 1.0));
+  sight.mountains_hide = true;
   sight.sea = sea;
+  if (sea > 0.0) {
+    sight.sea_lift = needs.water_lift;
+    sight.most_sea_lift = needs.water_most_lift;
+  }
   return sight;
 }
 
@@ -32,7 +37,8 @@ bool shows(NodeLayer layer, const NodeFrame& node, double spacing, const Scene& 
     return !water || glm::length(pose.eye) <= sea || 1.0 + node.heights.highest >= lowest_sea;
   }
   const double away = glm::distance(pose.eye, node.outline.middle) + node.outline.half_width;
-  return water && 1.0 + node.heights.lowest <= sea + std::min(needs.water_lift * away, needs.water_most_lift);
+  // By what is drawn: sea has the same vertices, only on its sphere.
+  return water && 1.0 + node.shown.lowest <= sea + std::min(needs.water_lift * away, needs.water_most_lift);
 }
 
 }  // namespace terrella

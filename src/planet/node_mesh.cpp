@@ -68,7 +68,8 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
   frame.outline = outline_of(grid, patch, node);
   const glm::dvec3& middle = frame.outline.middle;
   const Levels levels = vertices_of(grid, patch, node, middle, terrain);
-  const HeightRange computed = range_of(levels.own);
+  const HeightRange computed = range_of(levels.own), coarser = range_of(levels.above);
+  frame.shown = {std::min(computed.lowest, coarser.lowest), std::max(computed.highest, coarser.highest)};
   frame.base = levels.own[levels.own.size() / 2].height;
   // From any place the next vertex is at most half the diagonal of a square away, or of what it is stretched to.
   const double spacing = grid.spacing(node.level, patch.cells);

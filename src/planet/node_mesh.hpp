@@ -30,6 +30,7 @@ struct NodeFrame {
   NodeOutline outline;
   double base = 0.0;    // a height of its ground; the node's centre is the middle times 1 + base
   HeightRange heights;  // of all ground over the node, whatever the level of detail
+  HeightRange shown;    // of its vertices, as its level has them and as the level above has
 };
 
 // Heights are those that vertices of the node's level can carry; the coarser ones those of the level above, at every

@@ -22,13 +22,6 @@ double beyond(const NodeOutline& outline, std::size_t side, const glm::dvec3& pl
   return glm::dot(outline.outwards.at(side), place - outline.corners.at(side));
 }
 
-double distance_to_side(const glm::dvec3& from, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 along = b - a;
-  const double square = glm::dot(along, along);
-  const double part = square > 0.0 ? std::clamp(glm::dot(from - a, along) / square, 0.0, 1.0) : 0.0;
-  return glm::distance(from, a + part * along);
-}
-
 }  // namespace
 
 NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const GridNode& node) {
@@ -44,9 +37,16 @@ NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const GridN
   for (std::size_t k = 0; k < patch.rim.size(); ++k) {
     const glm::dvec3 place = rim(k);
     outline.half_width = std::max(outline.half_width, glm::distance(place, outline.middle));
-    outline.bulge = std::max(outline.bulge, beyond(outline, k / cells, place));
+    outline.bulge = std::max(outline.bulge, std::abs(beyond(outline, k / cells, place)));
   }
   return outline;
+}
+
+double distance_to_line(const glm::dvec3& from, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 along = b - a;
+  const double square = glm::dot(along, along);
+  const double part = square > 0.0 ? std::clamp(glm::dot(from - a, along) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(from, a + part * along);
 }
 
 double nearest_to(const NodeOutline& outline, const glm::dvec3& direction) {
@@ -55,7 +55,7 @@ double nearest_to(const NodeOutline& outline, const glm::dvec3& direction) {
   for (std::size_t side = 0; side < 4; ++side) {
     within = within && beyond(outline, side, direction) <= outline.bulge;
     nearest =
-        std::min(nearest, distance_to_side(direction, outline.corners.at(side), outline.corners.at((side + 1) % 4)));
+        std::min(nearest, distance_to_line(direction, outline.corners.at(side), outline.corners.at((side + 1) % 4)));
   }
   // A place on the other side of the sphere is within none.
   if (within && glm::dot(direction, outline.middle) > 0.0) return 0.0;

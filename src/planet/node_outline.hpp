@@ -17,7 +17,7 @@ struct NodeOutline {
   // Unit, of the planes of its sides, which begin at each corner and go through the sphere's middle; 0 where there is
   // none.
   std::array<glm::dvec3, 4> outwards{};
-  double bulge = 0.0;  // how far sides reach beyond the great circles from corner to corner
+  double bulge = 0.0;  // how far sides are from the great circles from corner to corner
 };
 
 // patch: of the grid, of any number of cells; the more, the closer its sides.
@@ -27,6 +27,9 @@ NodeOutline outline_of(const NodeGrid& grid, const NodePatch& patch, const GridN
 // sphere the first is too small, by as much as a chord lies below its arc.
 double nearest_to(const NodeOutline& outline, const glm::dvec3& direction);
 double farthest_from(const NodeOutline& outline, const glm::dvec3& direction);
+
+// From a place to the nearest of the straight line from a to b.
+double distance_to_line(const glm::dvec3& from, const glm::dvec3& a, const glm::dvec3& b);
 
 // Whether all that lies over it, between two radii, is on the far side of a plane through the eye. inwards: unit.
 bool is_outside(const NodeOutline& outline, double lowest, double highest, const glm::dvec3& eye,
