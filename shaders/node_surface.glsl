@@ -22,30 +22,45 @@ float layer_rise(GroundAt ground) {
   return sqrt(rise * rise + together + steeper * ridges * ridges) * amplitude_sum(terrain_persistence, terrain_octaves);
 }
 
+// What pixels add to the ridges of ranges, whose mean is raised to the third power: to the ground by how much, for each unit
+// of it that the vertices' slope tells, and how it changes with it. added: to the sum of the ridges' layers.
+struct RidgesAdded {
+  float height, slope;
+};
+
+RidgesAdded ridges_added(float added) {
+  int first = terrain_range_layer;
+  float total = pow(terrain_persistence, float(first)) * amplitude_sum(terrain_persistence, terrain_octaves - first);
+  // Vertices keep no mean of their own: that of all ridges. They can sink no lower than to where there are none.
+  float part = max(added / (layer_mean(true) * max(total, 1.0e-6)), -1.0);
+  return RidgesAdded(added * (1.0 + part + part * part / 3.0), (1.0 + part) * (1.0 + part));
+}
+
 // The ground at the pixel as fine as it can show it. up: unit; footprint: rad.
 GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
   GroundAt ground;
   ground.openness = node_slope.w;
   ground.height = node_height.x;
-  vec3 gradient = node_slope.xyz;
-  float rise = node_height.y * node_layers.y, ridges = node_height.z * node_layers.y;
+  vec3 gradient = node_slope.xyz, ridge_gradient = vec3(0.0);
+  float amplitude = node_layers.y, rise = node_height.y, ridges = node_height.z, ridge = 0.0;
   bool is_ridged = terrain_ridged != 0;
   for (int i = int(node_layers.x); i < int(ground_map_scale.z); ++i) {
     float frequency = layer_place[i].w;
     float weight = layer_weight(frequency, footprint);
     if (weight <= 0.0) break;  // and so is that of all finer layers
     Noise n = layer_noise(i, from_anchor);
-    float shown = max(weight - held_of_layer(frequency), 0.0);
-    float crest = i < terrain_range_layer ? 0.0 : ridges;
-    float slope = rise * layer_slope(n.value, is_ridged, terrain_ridge_sharpness) +
-                  crest * layer_slope(n.value, true, terrain_ridge_sharpness);
-    float value = rise * (layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged)) +
-                  crest * (layer_value(n.value, true, terrain_ridge_sharpness) - layer_mean(true));
-    ground.height += shown * value;
-    gradient += (shown * frequency * slope) * n.gradient;
-    rise *= terrain_persistence;
-    ridges *= terrain_persistence;
+    float shown = amplitude * max(weight - held_of_layer(frequency), 0.0);
+    ground.height += shown * rise * (layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged));
+    gradient += (shown * frequency * rise * layer_slope(n.value, is_ridged, terrain_ridge_sharpness)) * n.gradient;
+    if (ridges > 0.0 && i >= terrain_range_layer) {
+      ridge += shown * (layer_value(n.value, true, terrain_ridge_sharpness) - layer_mean(true));
+      ridge_gradient += (shown * frequency * layer_slope(n.value, true, terrain_ridge_sharpness)) * n.gradient;
+    }
+    amplitude *= terrain_persistence;
   }
+  RidgesAdded added = ridges_added(ridge);
+  ground.height += ridges * added.height;
+  gradient += (ridges * added.slope) * ridge_gradient;
   ground.gradient = gradient - dot(gradient, up) * up;
   return ground;
 }
