@@ -30,7 +30,8 @@ class Choice {
       const NodeDistance distance = distance_of(cache_.at(slot).frame.outline, eye_, ranges_.reach * edge);
       const double wanted = node.level < ranges_.deepest ? ranges_.split * edge : 0.0;
       bool splits = distance.to_split < wanted;
-      if (distance.to_split < look_ahead * wanted) splits = has_quarters(node, distance.to_split) && splits;
+      if (distance.to_split < look_ahead * wanted)
+        splits = has_quarters(node, slot, distance.to_split, !splits) && splits;
       splits = splits && !has_coarser_around(node);
       if (splits) {
         add_quarters(node);
@@ -66,16 +67,16 @@ class Choice {
   }
 
   // Asks for those that are not there.
-  bool has_quarters(const GridNode& node, double distance) {
+  bool has_quarters(const GridNode& node, int slot, double distance, bool is_ahead) {
     bool all = true;
     for (const GridNode& child : grid_.children_of(node)) {
-      const int slot = cache_.find(child);
-      if (slot >= 0) {
-        cache_.use(slot);
-        continue;
+      const int of_child = cache_.find(child);
+      if (of_child < 0) {
+        all = false;
+        choice_.missing.push_back({child, distance, slot, is_ahead});
+      } else if (!is_ahead) {
+        cache_.use(of_child);  // what is only ahead gives way where there is no room
       }
-      all = false;
-      choice_.missing.push_back({child, distance});
     }
     return all;
   }
@@ -166,6 +167,9 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   while (!choice.level.empty()) chooser.pass_level();
   if (sight.mountains_hide) leave_out_hidden(grid, sight, ranges.cells, cache, choice);
   for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarse_around(cache.at(drawn.slot).node);
+  const bool lacks = std::any_of(choice.missing.begin(), choice.missing.end(),
+                                 [](const MissingNode& missing) { return !missing.is_ahead; });
+  if (lacks) std::erase_if(choice.missing, [](const MissingNode& missing) { return missing.is_ahead; });
   std::sort(choice.missing.begin(), choice.missing.end(), [](const MissingNode& a, const MissingNode& b) {
     return std::tie(a.node.level, a.distance) < std::tie(b.node.level, b.distance);
   });

@@ -42,24 +42,27 @@ inline unsigned list_of(const NodePatch& patch, const DrawnNode& drawn) {
 struct MissingNode {
   GridNode node;
   double distance;  // of the node that it is a quarter of
+  int above;        // that node's slot
+  bool is_ahead;    // not needed yet
 };
 
 // How a node looks from the eye: over which azimuths and how high (leave_out_hidden).
 struct NodeSilhouette {
   DrawnNode drawn;
   bool is_known = false;
-  double nearest = 0.0;            // from below the eye, as a chord, here and below
-  double from = 0.0, to = 0.0;     // azimuths of its corners
-  double widened = 0.0;            // by how much its sides may reach beyond these
-  double top = 0.0, bottom = 0.0;  // tangents of elevations
-  double hidden_from = 0.0;        // from here on it hides all that is no higher than its bottom
+  double nearest = 0.0;                              // from below the eye, as a chord, here and below
+  double from = 0.0, to = 0.0;                       // azimuths of its corners
+  double widened = 0.0;                              // by how much its sides may reach beyond these
+  double top = 0.0, bottom = 0.0, top_of_all = 0.0;  // tangents of elevations
+  double hidden_from = 0.0;                          // from here on it hides all that is no higher than its bottom
 };
 
 // Room for a frame's work, so that none is allocated again.
 struct NodeChoice {
   std::vector<DrawnNode> drawn;
-  std::vector<MissingNode> missing;  // what the picture lacks to be as fine as it should be; the coarsest first, and
-                                     // of a level the nearest
+  // What the picture lacks to be as fine as it should be; where it lacks nothing, what it will soon need. The coarsest
+  // first, and of a level the nearest.
+  std::vector<MissingNode> missing;
 
   std::vector<int> level, next;  // slots of nodes of a level while it is looked through
   std::vector<NodeSilhouette> silhouettes;

@@ -107,8 +107,13 @@ class Skyline {
   std::array<Column, count> columns_{};
 };
 
-// As the eye sees it. top: radius of the highest that is drawn there; bottom: of the lowest.
-NodeSilhouette silhouette_of(const Eye& eye, const NodeOutline& outline, double top, double bottom) {
+// Radii of a node's highest and lowest that are drawn, and of the highest that may ever be.
+struct Radii {
+  double top, bottom, top_of_all;
+};
+
+// As the eye sees it.
+NodeSilhouette silhouette_of(const Eye& eye, const NodeOutline& outline, const Radii& radii) {
   constexpr double all_around = 0.3, far_away = 1.0;
   NodeSilhouette seen;
   seen.nearest = nearest_to(outline, eye.up());
@@ -128,21 +133,21 @@ NodeSilhouette silhouette_of(const Eye& eye, const NodeOutline& outline, double 
   seen.from = middle + beside.at(from);
   seen.to = middle + beside.at(to);
   seen.widened = widened;
-  seen.top = eye.highest(top, seen.nearest, farthest);
+  seen.top = eye.highest(radii.top, seen.nearest, farthest);
+  seen.top_of_all = eye.highest(radii.top_of_all, seen.nearest, farthest);
   // Between the corners where it begins and ends the node is nowhere further from the line between them than its sides
   // bulge.
   const glm::dvec3 &a = outline.corners.at(from), &b = outline.corners.at(to);
   const double off = 0.125 * glm::dot(b - a, b - a) + outline.bulge;
   const double line = std::max(distance_to_line(eye.up(), a, b) - off, seen.nearest);
   seen.hidden_from = std::max(glm::distance(a, eye.up()), glm::distance(b, eye.up())) + outline.bulge;
-  seen.bottom = eye.lowest(bottom, line, seen.hidden_from);
+  seen.bottom = eye.lowest(radii.bottom, line, seen.hidden_from);
   return seen;
 }
 
 }  // namespace
 
-void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, const NodeCache& cache,
-                      NodeChoice& choice) {
+void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, NodeCache& cache, NodeChoice& choice) {
   const Eye eye(sight.eye);
   auto& silhouettes = choice.silhouettes;
   silhouettes.clear();
@@ -151,9 +156,11 @@ void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, c
     const NodeFrame& frame = entry.frame;
     // Flat triangles lie below the sphere of their corners.
     const double apart = 2.0 * grid.spacing(entry.node.level, cells);
-    const double bottom = (1.0 + frame.shown.lowest) * (1.0 - 0.5 * apart * apart);
-    NodeSilhouette seen =
-        silhouette_of(eye, frame.outline, std::max(1.0 + frame.shown.highest, sight.top_of_sea(frame.outline)), bottom);
+    const double sea = sight.top_of_sea(frame.outline);
+    NodeSilhouette seen = silhouette_of(
+        eye, frame.outline,
+        {std::max(1.0 + frame.shown.highest, sea), (1.0 + frame.shown.lowest) * (1.0 - 0.5 * apart * apart),
+         std::max(1.0 + frame.heights.highest, sea)});
     seen.drawn = drawn;
     silhouettes.push_back(seen);
   }
@@ -176,9 +183,16 @@ void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, c
       const NodeSilhouette& before = silhouettes[hiding[next].second];
       skyline.add(before.from, before.to, before.bottom);
     }
-    if (!seen.is_known || !skyline.hides(seen.from - seen.widened, seen.to + seen.widened, seen.top))
+    const auto hides = [&](double elevation) {
+      return seen.is_known && skyline.hides(seen.from - seen.widened, seen.to + seen.widened, elevation);
+    };
+    if (!hides(seen.top)) {
       choice.drawn.push_back(seen.drawn);
+    } else if (hides(seen.top_of_all)) {
+      cache.hide(seen.drawn.slot);
+    }
   }
+  std::erase_if(choice.missing, [&](const MissingNode& missing) { return cache.is_hidden(missing.above); });
 }
 
 }  // namespace terrella

@@ -80,8 +80,8 @@ class Nodes {
       cache_.begin_frame();
       choose_nodes(*grid_, sight, eye_, ranges_, cache_, choice_);
       if (choice_.missing.empty()) return;
-      for (const auto& [node, distance] : choice_.missing) {
-        if (some == nullptr || some->between(0.0, 1.0) < 0.7) make(node);
+      for (const MissingNode& missing : choice_.missing) {
+        if (some == nullptr || some->between(0.0, 1.0) < 0.7) make(missing.node);
       }
     }
     cache_.begin_frame();
