@@ -360,6 +360,7 @@ void Session::obey(const PanelWishes& wishes) {
   if (wishes.undo) undo();
   if (wishes.redo) redo();
   if (wishes.camera_mode) set_camera_mode(*wishes.camera_mode);
+  if (wishes.go_to) fly_to(*wishes.go_to);
   if (wishes.paused) set_paused(*wishes.paused);
   if (wishes.seconds) set_seconds(*wishes.seconds);
   if (wishes.copy_link && host_.copy_text) host_.copy_text(to_link(document_));

@@ -136,6 +136,7 @@ class Session {
   void compare(bool wanted);
   void surprise();
   void set_camera_mode(CameraMode mode);
+  void fly_to(const Destination& there);
   void scene_was_changed();
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);

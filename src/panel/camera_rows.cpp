@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/text.hpp"
+#include "panel/go_to_row.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/widgets.hpp"
 
@@ -27,6 +28,7 @@ void camera_rows(Sheet& sheet) {
     ImGui::SameLine(0.0F, space);
   }
   ImGui::NewLine();
+  go_to_row(sheet);
 }
 
 }  // namespace terrella

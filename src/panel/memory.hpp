@@ -140,6 +140,7 @@ struct PanelMemory {
   Mix mix;
   PictureSize picture;
   Tour tour;
+  std::string no_place;     // what is wrong with the place that was typed to go to
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

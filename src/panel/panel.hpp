@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panel/camera_mode.hpp"
+#include "panel/destination.hpp"
 #include "panel/memory.hpp"
 #include "scene/document.hpp"
 #include "scene/quality_path.hpp"
@@ -56,6 +57,7 @@ struct PanelWishes {
   bool takes_back = false;  // the change takes back that of a first click, for this was the second
   bool undo = false, redo = false;
   std::optional<CameraMode> camera_mode;
+  std::optional<Destination> go_to;
   std::optional<bool> paused;
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false;
