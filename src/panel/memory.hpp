@@ -129,6 +129,7 @@ struct PanelMemory {
 
   bool keys_shown = false;          // the list of keys
   bool presets_shown = false;       // a list of them, in this frame
+  bool map_shown = false;           // in this frame
   std::set<std::string_view> open;  // sections
   Typing typing;
   FingerScroll finger;
