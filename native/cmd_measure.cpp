@@ -22,6 +22,7 @@ struct MeasureOptions {
   std::string out;
   bool extremes = false;
   bool ground = false;
+  bool flight = false;
   int frames = 0;
   bool quick = false;
   bool path = false;
@@ -44,6 +45,7 @@ void refuse_for_extremes(const MeasureOptions& options, Issues& issues) {
   refuse(options.against.has_value(), "--against");
   refuse(options.path, "--path");
   if (options.frames != 0) issues.add("--frames", "is for --ground.");
+  if (options.flight) issues.add("--flight", "is for --ground.");
   if (options.ground) issues.add("--ground", "is measured by itself; leave out --extremes.");
 }
 
@@ -97,7 +99,9 @@ GroundTask understand_ground(const MeasureOptions& options, Issues& issues) {
   task.documents = grounds(options, issues);
   task.plan = ground_plan(options.quick);
   if (options.frames < 0 || options.frames > 1000) issues.add("--frames", "must be a whole number, 0 to 1000.");
+  if (options.flight && options.frames != 0) issues.add("--flight", "draws nothing; leave out --frames.");
   task.plan.frames = options.frames;
+  if (options.flight) task.plan.flown = options.quick ? 60 : 600;  // 20 s of 30 a second
   read_pictures(options, task, issues);
   return task;
 }
@@ -111,6 +115,7 @@ TradeTask understand_trade(const MeasureOptions& options, Issues& issues) {
   task.plan.path_only = options.path;
   read_pictures(options, task, issues);
   if (options.frames != 0) issues.add("--frames", "is for --ground.");
+  if (options.flight) issues.add("--flight", "is for --ground.");
   if (options.against) read_old(*options.against, task, issues);
   return task;
 }
@@ -150,6 +155,8 @@ void add_measure_command(CLI::App& program, int& exit_code) {
   command->add_flag("--ground", options->ground,
                     "Measure instead what a ground of real size costs for the same error, from eye level to far away");
   command->add_option("--frames", options->frames, "With --ground: how many frames of each view to draw and time (0)");
+  command->add_flag("--flight", options->flight,
+                    "With --ground: time what the CPU does in a flight from orbit to the ground instead");
   command->add_flag("--path", options->path, "Measure only the steps that hold quality.target_ms, with this scene");
   command->add_flag("--quick", options->quick, "Small pictures, few settings and rounds: under a minute");
   command->callback([options, &exit_code] { exit_code = measure(*options); });

@@ -15,7 +15,7 @@ std::string measure_ground(const GroundTask& task) {
   std::string failure = make_folder(task.folder);  // before minutes of work
   if (!failure.empty()) return failure;
   std::unique_ptr<EglContext> context;
-  if (task.plan.frames > 0) {
+  if (task.plan.frames > 0 || task.plan.flown > 0) {
     auto made = EglContext::make(task.api);
     if (!made) return made.sentence();
     context = std::move(*made);

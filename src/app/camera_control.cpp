@@ -7,18 +7,13 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/camera_frame.hpp"
+#include "app/human.hpp"
 
 namespace terrella {
 namespace {
 
 constexpr double longest_tick = 0.1;        // s
 constexpr double longest_step = 1.0 / 120;  // s, of flight and walk: they look at the ground after each
-
-// Where the pose has raised the camera over the ground, it stays.
-void keep_raised(Scene& scene, const View& view) {
-  const Pose pose = pose_of(scene, view);
-  if (pose.raised) set_distance(scene, glm::length(pose.eye));
-}
 
 // At least one step, if of no time: feet find their ground by it.
 template <class Mover>
@@ -30,21 +25,32 @@ void in_steps(Mover& mover, Scene& scene, const Push& push, double seconds) {
 }  // namespace
 
 void CameraControl::set_mode(CameraMode mode) {
+  fly_to_.stop();
   if (mode == mode_) return;
   mode_ = mode;
   stop();
 }
 
+void CameraControl::fly_to(const Scene& scene, const Place& place) {
+  stop();
+  std::optional<double> clearance;
+  if (mode_ == CameraMode::walk) clearance = eye_height(scene);
+  fly_to_.start(scene, view_of_place(scene, place, clearance));
+}
+
 void CameraControl::hold() {
+  fly_to_.stop();
   if (mode_ == CameraMode::orbit) orbit_.stop();
 }
 
 void CameraControl::drag(Scene& scene, const View& view, glm::dvec2 pixels) {
+  fly_to_.stop();
   if (mode_ == CameraMode::orbit) return orbit_.drag(scene, view, pixels);
   look(scene, view, pixels);
 }
 
 void CameraControl::look(Scene& scene, const View& view, glm::dvec2 pixels) {
+  fly_to_.stop();
   switch (mode_) {
     case CameraMode::orbit: return orbit_.look(scene, view, pixels);
     case CameraMode::fly: return Fly::look(scene, view, pixels);
@@ -53,15 +59,18 @@ void CameraControl::look(Scene& scene, const View& view, glm::dvec2 pixels) {
 }
 
 void CameraControl::zoom(double factor, glm::dvec2 toward) {
+  fly_to_.stop();
   if (mode_ == CameraMode::orbit) orbit_.zoom(factor, toward);
   if (mode_ == CameraMode::fly) fly_.hasten(factor);
 }
 
 void CameraControl::zoom_now(Scene& scene, const View& view, double factor, glm::dvec2 toward) {
+  fly_to_.stop();
   if (mode_ != CameraMode::walk) orbit_.zoom_now(scene, view, factor, toward);
 }
 
 void CameraControl::roll(Scene& scene, double angle) {
+  fly_to_.stop();
   if (mode_ == CameraMode::fly) {
     scene.camera.roll = wrapped(scene.camera.roll - glm::degrees(angle));
     return;
@@ -70,9 +79,18 @@ void CameraControl::roll(Scene& scene, double angle) {
   scene.camera.heading = wrapped(scene.camera.heading - glm::degrees(angle) * down);
 }
 
+void CameraControl::push(const Push& push) {
+  push_ = push;
+  if (pushed()) fly_to_.stop();
+}
+
 bool CameraControl::tick(Scene& scene, const View& view, double seconds) {
   const auto before = scene.camera;
   const double dt = std::min(seconds, longest_tick);
+  if (fly_to_.moving()) {
+    fly_to_.tick(scene, view, dt);
+    return !(scene.camera == before);
+  }
   switch (mode_) {
     case CameraMode::orbit: orbit_.tick(scene, view, push_, dt); break;
     case CameraMode::fly: in_steps(fly_, scene, push_, dt); break;
@@ -83,7 +101,7 @@ bool CameraControl::tick(Scene& scene, const View& view, double seconds) {
 }
 
 bool CameraControl::moving() const {
-  if (pushed()) return true;
+  if (pushed() || fly_to_.moving()) return true;
   switch (mode_) {
     case CameraMode::orbit: return orbit_.moving();
     case CameraMode::fly: return fly_.moving();
@@ -93,6 +111,7 @@ bool CameraControl::moving() const {
 }
 
 void CameraControl::stop() {
+  fly_to_.stop();
   orbit_.stop();
   fly_.stop();
   walk_.stop();

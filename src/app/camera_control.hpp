@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/fly.hpp"
+#include "app/fly_to.hpp"
 #include "app/orbit.hpp"
 #include "app/push.hpp"
 #include "app/walk.hpp"
@@ -18,6 +19,11 @@ class CameraControl {
   [[nodiscard]] CameraMode mode() const { return mode_; }
   // The camera stays where it is; what must become otherwise does so over the next ticks.
   void set_mode(CameraMode mode);
+
+  // Flies to a place within a few seconds, whichever way hands move the camera, and looks there as it does here: as low
+  // over the ground, the view lies as much nearer to the horizon. On foot, where no altitude is given, one comes to
+  // stand. Any hand on the camera, and any other change of the scene, ends it where it is.
+  void fly_to(const Scene& scene, const Place& place);
 
   // A hand takes hold: in orbit the planet stands.
   void hold();
@@ -37,7 +43,7 @@ class CameraControl {
   // with the horizon it stays, which a twist would only drag along; but in flight it rolls.
   void roll(Scene& scene, double angle);
   // Which ways the held keys push.
-  void push(const Push& push) { push_ = push; }
+  void push(const Push& push);
   [[nodiscard]] bool pushed() const { return pushes(push_); }
 
   // Lets time pass (s, >= 0). Returns whether the camera moved.
@@ -55,6 +61,7 @@ class CameraControl {
   Orbit orbit_;
   Fly fly_;
   Walk walk_;
+  FlyTo fly_to_;
   Push push_;
 };
 

@@ -19,6 +19,9 @@ namespace terrella {
 double distance_of(const Scene& scene);
 void set_distance(Scene& scene, double distance);
 
+// Where the pose has raised the camera over the ground, it stays.
+void keep_raised(Scene& scene, const View& view);
+
 // The clearance that the camera comes to at the most by hands.
 inline constexpr double farthest = 1e4;
 

@@ -27,6 +27,9 @@ class PanelPainter {
   // The font has another size: it is made anew when next drawn.
   void forget_font();
 
+  // What textures hold that the panel shows has changed, though not their names.
+  void textures_changed() { last_.clear(); }
+
   // Lays what the last frame of Dear ImGui shows over a screen.
   void draw(ImDrawData& shown, const gl::Screen& screen);
 

@@ -27,6 +27,7 @@ constexpr double clock_pace = 0.5;  // s
 constexpr std::size_t frames_timed = 60;
 constexpr double longest_refinement = 1.0;  // s
 constexpr std::ptrdiff_t most_notices = 24;
+constexpr double share_of_map = 0.05;  // of the time of a frame
 
 // camera.fov is that of the shorter side of what is free: in an upright window the planet would be twice as wide as
 // that.
@@ -84,6 +85,7 @@ void Session::context_lost() {
   bands_.context_lost();
   painter_.reset();
   preset_pictures_.reset();
+  map_.reset();
   renderer_.reset();
 }
 
@@ -168,6 +170,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   if (panel_wanted) run_panel();
   hand_on_typed_ahead();
   if (panel_wanted && panel_.shows_presets()) draw_preset_picture();
+  if (panel_wanted && panel_.shows_map()) draw_map();
   if (!panel_shown_) ImGui::GetIO().ClearEventsQueue();  // which nobody reads
   choose_quality(now);
   if (planet_stale_ || frames_ == 0 || is_finer()) {
@@ -200,6 +203,14 @@ void Session::draw_preset_picture() {
   if (preset_pictures_->complete()) return;
   preset_pictures_->advance();
   planet_stale_ = true;
+  panel_frames_ = std::max(panel_frames_, 2);
+}
+
+// The planet on screen is as it was: what is drawn anew is the panel.
+void Session::draw_map() {
+  if (!map_) map_ = std::make_unique<MapPicture>();
+  if (!map_->advance(document_.scene, std::max(1.0, 1000.0 * share_of_map * last_elapsed_))) return;
+  painter_->textures_changed();
   panel_frames_ = std::max(panel_frames_, 2);
 }
 
@@ -360,6 +371,7 @@ void Session::obey(const PanelWishes& wishes) {
   if (wishes.undo) undo();
   if (wishes.redo) redo();
   if (wishes.camera_mode) set_camera_mode(*wishes.camera_mode);
+  if (wishes.go_to) fly_to(*wishes.go_to);
   if (wishes.paused) set_paused(*wishes.paused);
   if (wishes.seconds) set_seconds(*wishes.seconds);
   if (wishes.copy_link && host_.copy_text) host_.copy_text(to_link(document_));
@@ -394,6 +406,7 @@ PanelFacts Session::facts() const {
   facts.notices = notices_;
   facts.beyond = beyond();
   facts.quality = quality_.step_for(document_.scene);
+  if (map_) facts.map = map_->texture();
   if (preset_pictures_) facts.preset_pictures = preset_pictures_->textures();
   return facts;
 }

@@ -12,6 +12,7 @@
 #include "app/camera_control.hpp"
 #include "app/history.hpp"
 #include "app/input.hpp"
+#include "app/map_picture.hpp"
 #include "app/panel_painter.hpp"
 #include "app/picture_in_bands.hpp"
 #include "app/preset_pictures.hpp"
@@ -136,6 +137,7 @@ class Session {
   void compare(bool wanted);
   void surprise();
   void set_camera_mode(CameraMode mode);
+  void fly_to(const Destination& there);
   void scene_was_changed();
   void open(const SceneDocument& loaded);
   void return_to(const Snapshot& snapshot);
@@ -158,6 +160,7 @@ class Session {
   // Whether somebody may see that a picture is late.
   bool is_watched() const;
   void draw_preset_picture();
+  void draw_map();
   void note_frame_time(double now);
   void note_picture_time(double now);
   void forget_intervals();
@@ -179,6 +182,7 @@ class Session {
   QualityControl quality_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<PresetPictures> preset_pictures_;  // from when they are first asked for in a context
+  std::unique_ptr<MapPicture> map_;                  // likewise
 
   int width_ = 1280, height_ = 720;  // points
   double scale_ = 1.0;

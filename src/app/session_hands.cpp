@@ -199,6 +199,12 @@ void Session::set_camera_mode(CameraMode mode) {
   panel_frames_ = 3;
 }
 
+void Session::fly_to(const Destination& there) {
+  history_.begin();
+  camera_.fly_to(document_.scene, {there.latitude, there.longitude, there.altitude});
+  panel_frames_ = 3;
+}
+
 void Session::text(unsigned codepoint) {
   const bool typing = wants_text();
   if (typed_ahead_ && !typing) {

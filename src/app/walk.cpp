@@ -119,8 +119,9 @@ void Walk::step(Scene& scene, const Push& push, double dt) {
   const double left = keeps_ground ? -sunk : fall(scene, feet - ground, metre, dt);
   if (keeps_ground) land();
   // What is only rounded otherwise is left alone: a planet at rest would be drawn again and again.
-  if (std::abs(ground + left - feet) > touch * eye) set_distance(scene, ground + left + eye);
-  stands_ = keeps_ground && velocity_ == glm::dvec2(0.0) && sunk <= touch * eye && scene.camera.roll == 0.0;
+  const bool moves = std::abs(ground + left - feet) > touch * eye;
+  if (moves) set_distance(scene, ground + left + eye);
+  stands_ = keeps_ground && !moves && velocity_ == glm::dvec2(0.0) && scene.camera.roll == 0.0;
 }
 
 }  // namespace terrella

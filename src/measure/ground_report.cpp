@@ -46,6 +46,27 @@ Cells cells_of(const GroundRow& row) {
           row.frame_ms ? figure(row.frame_ms->median) : "-"};
 }
 
+const Cells flight_heads = {"scene", "model",         "median ms",         "p90 ms",    "worst ms",
+                            "at, m", "of the median", "longer than twice", "incomplete"};
+
+Cells cells_of(const FlightRow& row) {
+  return {row.scene,
+          row.model,
+          printed_number(row.median_ms, 2),
+          printed_number(row.p90_ms, 2),
+          printed_number(row.worst_ms, 2),
+          figure(row.worst_at),
+          printed_number(row.worst_ms / row.median_ms, 2),
+          percent(row.longer),
+          percent(row.incomplete)};
+}
+
+Json json_of(const FlightRow& row) {
+  return {{"scene", row.scene},   {"model", row.model},          {"median_ms", row.median_ms},
+          {"p90_ms", row.p90_ms}, {"worst_ms", row.worst_ms},    {"worst_at", row.worst_at},
+          {"longer", row.longer}, {"incomplete", row.incomplete}};
+}
+
 Json json_of(const ErrorSpread& error) { return {{"median", error.median}, {"p99", error.p99}, {"most", error.most}}; }
 
 Json json_of(const NodeCounts& counts) {
@@ -89,6 +110,25 @@ std::string table_html(const GroundTable& table) {
   return html.html();
 }
 
+std::string markdown_of(const std::vector<Cells>& lines) {
+  std::string text;
+  for (const Cells& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      std::size_t width = 0;
+      for (const Cells& other : lines) width = std::max(width, other[i].size());
+      text += text_of(i == 0 ? "| " : " | ", line[i], std::string(width - line[i].size(), ' '));
+    }
+    text += " |\n";
+  }
+  return text;
+}
+
+std::string flights_html(const GroundTable& table) {
+  Table html(flight_heads);
+  for (const FlightRow& row : table.flights) html.row(cells_of(row), "");
+  return html.html();
+}
+
 std::string limits_html(const GroundTable& table) {
   const std::vector<std::string> broken = broken_limits(table);
   if (broken.empty()) return "<p>All are kept.</p>\n";
@@ -111,6 +151,14 @@ ms to measure how near the ground is, choose ms to choose, to leave out what is 
 the whole picture, where frames were drawn.</p>
 )";
 
+constexpr const char* flight_columns = R"(<h2>What the columns say</h2>
+<p>A flight of 20 s, 30 frames a second (3 if quick), from 10,000 km over another place to 10 m over the ground, three times: the least
+time of each frame that the CPU takes to tell where the camera is, how near its ground, which nodes are drawn, and to make
+those that it has time for; what the GPU does is left out. At is how high over the ground the worst frame is; longer than
+twice, the part of the frames that take longer than twice the median; incomplete, the part that lacks nodes which the picture
+asks for, and shows coarser ones.</p>
+)";
+
 constexpr const char* styles = ".wide td, .wide th { white-space: nowrap; }\nbody { max-width: 100rem; }\n";
 
 }  // namespace
@@ -123,25 +171,25 @@ std::string ground_json(const GroundTable& table) {
   json["broken"] = broken_limits(table);
   json["rows"] = Json::array();
   for (const GroundRow& row : table.rows) json["rows"].push_back(json_of(row));
+  if (table.plan.flown > 0) json["flights"] = Json::array();
+  for (const FlightRow& row : table.flights) json["flights"].push_back(json_of(row));
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string ground_markdown(const GroundTable& table) {
-  std::vector<Cells> lines = {heads, Cells(heads.size(), "---")};
-  for (const GroundRow& row : table.rows) lines.push_back(cells_of(row));
-  std::string text;
-  for (const Cells& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      std::size_t width = 0;
-      for (const Cells& other : lines) width = std::max(width, other[i].size());
-      text += text_of(i == 0 ? "| " : " | ", line[i], std::string(width - line[i].size(), ' '));
-    }
-    text += " |\n";
-  }
-  return text;
+  std::vector<Cells> views = {heads, Cells(heads.size(), "---")};
+  for (const GroundRow& row : table.rows) views.push_back(cells_of(row));
+  std::vector<Cells> flights = {flight_heads, Cells(flight_heads.size(), "---")};
+  for (const FlightRow& row : table.flights) flights.push_back(cells_of(row));
+  return table.plan.flown > 0 ? markdown_of(flights) : markdown_of(views);
 }
 
 std::string ground_page(const GroundTable& table) {
+  if (table.plan.flown > 0) {
+    return html_page(
+        "Terrella: a flight to the ground", styles,
+        text_of("<h1>A flight to the ground of a planet of real size</h1>\n", flights_html(table), flight_columns));
+  }
   std::string page =
       text_of("<h1>What a ground of real size costs</h1>\n<p>For the same error on screen, at ", table.plan.width, "×",
               table.plan.height, " pixels and 60 degrees, measured in ", figure(table.seconds), " s",

@@ -110,6 +110,37 @@ void add_rows(const SceneDocument& document, double altitude, Ground model, Subj
   }
 }
 
+void fly(const std::vector<SceneDocument>& documents, const GroundProgress& progress, GroundTable& table) {
+  const double all = static_cast<double>(documents.size() * ground_models().size());
+  double done = 0.0;
+  for (const SceneDocument& document : documents) {
+    for (const Ground model : ground_models()) {
+      progress(document.preset.c_str(), done++ / all);
+      table.flights.push_back(
+          flight_row(document.preset, model,
+                     fly_to_ground(document, model, {table.plan.width, table.plan.height, table.plan.flown})));
+    }
+  }
+}
+
+void look(const std::vector<SceneDocument>& documents, const GroundProgress& progress, GroundTable& table) {
+  std::unique_ptr<Subject> subject;
+  if (table.plan.frames > 0) {
+    subject = std::make_unique<Subject>(table.plan.width, table.plan.height);
+    table.renderer = gl::renderer_name();
+  }
+  const double all = static_cast<double>(documents.size() * table.plan.altitudes.size() * ground_models().size());
+  double done = 0.0;
+  for (const SceneDocument& document : documents) {
+    for (const double altitude : table.plan.altitudes) {
+      for (const Ground model : ground_models()) {
+        progress(document.preset.c_str(), done++ / all);
+        add_rows(document, altitude, model, subject.get(), table);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 GroundPlan ground_plan(bool quick) {
@@ -152,21 +183,7 @@ GroundTable measure_grounds(const std::vector<SceneDocument>& documents, const G
   const auto start = std::chrono::steady_clock::now();
   GroundTable table;
   table.plan = plan;
-  std::unique_ptr<Subject> subject;
-  if (plan.frames > 0) {
-    subject = std::make_unique<Subject>(plan.width, plan.height);
-    table.renderer = gl::renderer_name();
-  }
-  const double all = static_cast<double>(documents.size() * plan.altitudes.size() * ground_models().size());
-  double done = 0.0;
-  for (const SceneDocument& document : documents) {
-    for (const double altitude : plan.altitudes) {
-      for (const Ground model : ground_models()) {
-        progress(document.preset.c_str(), done++ / all);
-        add_rows(document, altitude, model, subject.get(), table);
-      }
-    }
-  }
+  plan.flown > 0 ? fly(documents, progress, table) : look(documents, progress, table);
   progress("grounds", 1.0);
   table.seconds = 1e-3 * milliseconds_since(start);
   return table;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/stats.hpp"
+#include "measure/ground_flight.hpp"
 #include "measure/node_counts.hpp"
 #include "scene/document.hpp"
 
@@ -17,6 +18,7 @@ struct GroundPlan {
   std::vector<double> altitudes;             // m, as of measured_altitudes
   std::vector<double> targets = {1.0, 2.0};  // pixels that 99 of 100 places miss the ground by, at the most
   int frames = 0;                            // timed of each picture; 0: none is drawn
+  int flown = 0;                             // frames of a flight to the ground, instead of all this; 0: none
 };
 
 // quick: smaller pictures from three altitudes.
@@ -61,13 +63,14 @@ struct GroundTable {
   std::string renderer;  // that frames were drawn by; empty where none were
   double seconds = 0.0;  // that all of it took
   std::vector<GroundRow> rows;
+  std::vector<FlightRow> flights{};
 };
 
 // Is told what is being measured and which part of all is done, 0..1.
 using GroundProgress = std::function<void(const char* what, double part)>;
 
 // documents: at least one, each named by its preset; their planets are of real size. Needs a current context that can
-// draw to 32 bit floats where the plan has frames.
+// draw to 32 bit floats where the plan has frames, or any where it has a flight.
 GroundTable measure_grounds(const std::vector<SceneDocument>& documents, const GroundPlan& plan,
                             const GroundProgress& progress);
 

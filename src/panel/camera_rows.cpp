@@ -7,7 +7,10 @@
 #include <string>
 
 #include "base/text.hpp"
+#include "panel/go_to_row.hpp"
+#include "panel/map_view.hpp"
 #include "panel/parameter_row.hpp"
+#include "panel/place.hpp"
 #include "panel/widgets.hpp"
 
 namespace terrella {
@@ -27,6 +30,8 @@ void camera_rows(Sheet& sheet) {
     ImGui::SameLine(0.0F, space);
   }
   ImGui::NewLine();
+  if (ImGui::GetIO().DisplaySize.y >= points(kLowWindow)) map_view(sheet);  // else it would take all the room
+  go_to_row(sheet);
 }
 
 }  // namespace terrella

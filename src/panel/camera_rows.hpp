@@ -1,4 +1,4 @@
-// What stands above the parameters of the group camera: how hands move it.
+// What stands above the parameters of the group camera: how hands move it, and where to.
 #pragma once
 
 #include "panel/sheet.hpp"

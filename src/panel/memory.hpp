@@ -129,6 +129,7 @@ struct PanelMemory {
 
   bool keys_shown = false;          // the list of keys
   bool presets_shown = false;       // a list of them, in this frame
+  bool map_shown = false;           // in this frame
   std::set<std::string_view> open;  // sections
   Typing typing;
   FingerScroll finger;
@@ -140,6 +141,7 @@ struct PanelMemory {
   Mix mix;
   PictureSize picture;
   Tour tour;
+  std::string no_place;     // what is wrong with the place that was typed to go to
   std::string_view copied;  // the button that has just copied something, while the pointer rests on it
 };
 

@@ -111,7 +111,7 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
   const Preset* preset = find_preset(document.preset);
   CHECK(preset != nullptr, "a document of the preset ", document.preset);
   Sheet sheet{document, preset, facts, memory_, places};
-  memory_.presets_shown = false;
+  memory_.presets_shown = memory_.map_shown = false;
   const PanelPlace place = memory_.place();  // a press folds it in the next frame
   const bool visible = begin_panel_window(place);
   if (std::exchange(memory_.keyboard.wanted, false)) terrella::take_keyboard();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panel/camera_mode.hpp"
+#include "panel/destination.hpp"
 #include "panel/memory.hpp"
 #include "scene/document.hpp"
 #include "scene/quality_path.hpp"
@@ -42,6 +43,7 @@ struct PanelFacts {
   std::string renderer;
   const QualityStep* quality = nullptr;   // at which the planet is drawn, where quality.target_ms is held
   std::vector<unsigned> preset_pictures;  // textures, bottom row first, in the order of presets(): those drawn so far
+  unsigned map = 0;                       // a texture, northernmost row first; 0: it is not there yet
   std::vector<Decision> decisions;        // what is modelled, how finely and why
   std::vector<std::string> notices;       // sentences about bad input, until dismissed
   std::vector<std::string> beyond;        // about what lies beyond the range of its technique, for as long as it does
@@ -56,6 +58,7 @@ struct PanelWishes {
   bool takes_back = false;  // the change takes back that of a first click, for this was the second
   bool undo = false, redo = false;
   std::optional<CameraMode> camera_mode;
+  std::optional<Destination> go_to;
   std::optional<bool> paused;
   std::optional<double> seconds;
   bool copy_link = false, copy_json = false, save_json = false, open_json = false;
@@ -95,6 +98,9 @@ class Panel {
 
   // Whether the last frame had a list of presets open, which shows PanelFacts::preset_pictures.
   [[nodiscard]] bool shows_presets() const { return memory_.presets_shown; }
+
+  // Whether it had the map, which shows PanelFacts::map.
+  [[nodiscard]] bool shows_map() const { return memory_.map_shown; }
 
   void unfold() { memory_.folded = false; }
 

@@ -68,7 +68,7 @@ std::string quantity_to_edit(const Parameter& parameter, double value) {
   return with_unit(printed("%.12g", in_shown_unit(parameter, value)), parameter, value);
 }
 
-std::optional<double> read_quantity(std::string_view typed, const Parameter& parameter, double shown) {
+std::optional<double> parse_quantity(std::string_view typed, const Parameter& parameter, double shown) {
   typed = trimmed(typed);
   std::size_t digits = typed.size();
   while (digits > 0 && !ends_a_number(typed[digits - 1])) --digits;
@@ -83,8 +83,14 @@ std::optional<double> read_quantity(std::string_view typed, const Parameter& par
     }
     value *= metres;
   }
-  if (parameter.type == Type::Int) value = std::round(value);
-  return std::clamp(value, parameter.min, parameter.max);
+  return value;
+}
+
+std::optional<double> read_quantity(std::string_view typed, const Parameter& parameter, double shown) {
+  std::optional<double> value = parse_quantity(typed, parameter, shown);
+  if (!value) return std::nullopt;
+  if (parameter.type == Type::Int) value = std::round(*value);
+  return std::clamp(*value, parameter.min, parameter.max);
 }
 
 }  // namespace terrella

@@ -15,8 +15,11 @@ std::string quantity_text(const Parameter& parameter, double value);
 // The same with all its digits, to be edited.
 std::string quantity_to_edit(const Parameter& parameter, double value);
 
-// What someone typed, in the parameter's own unit, held within its range. A length may name its unit, "3 km"; a bare
-// number counts in the unit in which `shown` is told. Nothing if it is not a number.
+// What someone typed, in the parameter's own unit. A length may name its unit, "3 km"; a bare number counts in the unit
+// in which `shown` is told. Nothing if it is not a number.
+std::optional<double> parse_quantity(std::string_view typed, const Parameter& parameter, double shown);
+
+// The same, held within the parameter's range.
 std::optional<double> read_quantity(std::string_view typed, const Parameter& parameter, double shown);
 
 // Any number, short: "12345", "0.123", "1.2e+09".

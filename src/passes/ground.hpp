@@ -41,6 +41,8 @@ class GroundPass {
 
   // Whether it is drawn as the last update's needs ask.
   [[nodiscard]] virtual bool settled() const = 0;
+  // Whether a coarse mesh is drawn, of which parts may lie higher than the ground.
+  [[nodiscard]] virtual bool is_coarse() const { return false; }
   // Noise evaluated by the last update.
   [[nodiscard]] virtual std::int64_t noise_evaluations() const = 0;
 };

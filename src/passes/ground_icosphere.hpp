@@ -32,6 +32,7 @@ class GroundIcosphere : public GroundPass {
   void draw(const Frame& frame) override;
   [[nodiscard]] std::span<const RadiusRange> ranges() const override { return drawn().ranges; }
   [[nodiscard]] bool settled() const override { return fine_ && fine_->fineness == wanted_; }
+  [[nodiscard]] bool is_coarse() const override { return !fine_; }
   [[nodiscard]] std::int64_t noise_evaluations() const override { return noise_evaluations_; }
 
  private:

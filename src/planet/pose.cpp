@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -78,17 +79,25 @@ double ground_below(const Scene& scene, const glm::dvec3& direction) {
 
 }  // namespace
 
+namespace {
+
+// No crest is higher at a place, whatever the time. Shallow water holds waves back; but a crest leans aside by as much
+// as it is high at the most, and comes from where the water is deeper by that times the slope of a shore.
+double highest_sea(const Scene& scene, double ground) {
+  const Sea sea = make_sea(scene, 0.0);
+  constexpr double steep_shore = 0.25;
+  const double still = water_radius(scene), depth = still - ground + steep_shore * sea.highest;
+  return still + sea.highest * glm::smoothstep(0.0, whole_wave_depth(scene, sea), depth);
+}
+
+}  // namespace
+
 double surface_radius(const Scene& scene, const glm::dvec3& direction) {
-  double surface = 1.0;
-  if (has_ground(scene)) surface = ground_below(scene, direction);
-  if (ground_technique(scene) == Ground::icosphere) {
-    const f32::Terrain terrain = terrain_of(scene);
-    surface = std::max({surface, drawn_ground_radius(terrain, direction, coarse_level),
-                        drawn_ground_radius(terrain, direction, ground_level(scene))});
-  }
-  if (has_water(scene)) {
-    surface = std::max(surface, water_radius(scene) + make_sea(scene, 0.0).highest);
-  }
+  const double ground = has_ground(scene) ? ground_below(scene, direction) : 1.0;
+  double surface = ground;
+  if (ground_technique(scene) == Ground::icosphere)
+    surface = std::max(surface, drawn_ground_radius(terrain_of(scene), direction, ground_level(scene)));
+  if (has_water(scene)) surface = std::max(surface, highest_sea(scene, ground));
   return surface;
 }
 
@@ -101,10 +110,11 @@ View drawn_at(View shown, double scale, int most) {
   return drawn;
 }
 
-Pose pose_of(const Scene& scene, const View& view) {
+namespace {
+
+Pose pose_over(double surface, const Scene& scene, const View& view) {
   const auto& camera = scene.camera;
   const glm::dvec3 down_from = direction_of(camera.latitude, camera.longitude);
-  const double surface = surface_radius(scene, down_from);
   const double asked = 1.0 + camera.altitude / scene.planet.radius;
   const double distance = std::max(asked, surface + least_clearance(scene));
 
@@ -128,6 +138,20 @@ Pose pose_of(const Scene& scene, const View& view) {
   pose.pixel_angle = 2.0 * pose.tan_half_fov / view.height;
   set_depth_range(pose, view, scene);
   return pose;
+}
+
+glm::dvec3 direction_below(const Scene& scene) { return direction_of(scene.camera.latitude, scene.camera.longitude); }
+
+}  // namespace
+
+Pose pose_of(const Scene& scene, const View& view) {
+  return pose_over(surface_radius(scene, direction_below(scene)), scene, view);
+}
+
+Pose pose_over_coarse_ground(const Scene& scene, const View& view) {
+  const glm::dvec3 below = direction_below(scene);
+  const double coarse = drawn_ground_radius(terrain_of(scene), below, coarse_level);
+  return pose_over(std::max(surface_radius(scene, below), coarse), scene, view);
 }
 
 glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pixel) {

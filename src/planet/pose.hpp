@@ -43,11 +43,14 @@ double least_clearance(const Scene& scene);
 // Unit vector to a place on the planet. Degrees.
 glm::dvec3 direction_of(double latitude, double longitude);
 
-// Radius of the highest of ground and sea at a direction, as seen and as computed in full.
+// Radius of the highest of ground and sea at a direction, as seen and as computed in full: under waves, of the highest
+// crest that may come there.
 double surface_radius(const Scene& scene, const glm::dvec3& direction);
 
 // Total: any scene that passes validation gives a finite pose.
 Pose pose_of(const Scene& scene, const View& view);
+// The same for as long as the icosphere's coarse mesh (coarse_level) is drawn, which hills of the fine one lie under.
+Pose pose_over_coarse_ground(const Scene& scene, const View& view);
 
 // The unit direction that a pixel (from the top left, may be fractional) looks along.
 glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pixel);

@@ -141,6 +141,7 @@ void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
   gl::begin_frame();
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
   update_slots(frame_of({0, view.height}));
+  if (ground_ && ground_->is_coarse()) pose_ = pose_over_coarse_ground(scene, view);
   begin_light(view, shot);
 }
 

@@ -202,6 +202,20 @@ TEST_F(SlowSessionTest, APictureInBetweenDoesNotDisturbTheScreen) {
   EXPECT_EQ(screen(), five);
 }
 
+TEST_F(SessionTest, AMapIsMadeWhileThePanelShowsItAndThenFramesComeToRest) {
+  const auto textures = [&] { return nlohmann::json::parse(session.stats()).at("textures").get<int>(); };
+  session.resize(640, 520, 1.0);  // wide and high enough for a panel with a map
+  session.show_panel(true);
+  settle();
+  const int without = textures();
+  session.take_habits("camera");
+  settle();
+  EXPECT_EQ(textures(), without + 1);
+  session.set("planet.seed", "77");
+  settle();
+  EXPECT_EQ(textures(), without + 1);
+}
+
 TEST_F(SessionTest, ArrowsAreThePlanetsUntilTabLeadsIntoThePanel) {
   session.show_panel(true);
   settle();

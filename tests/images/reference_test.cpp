@@ -8,9 +8,12 @@
 #include <functional>
 #include <string>
 
+#include <glm/geometric.hpp>
+
 #include "images/bare_ground.hpp"
 #include "images/reference_errors.hpp"
 #include "native/egl_context.hpp"
+#include "planet/pose.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -23,6 +26,13 @@ using test::errors_of;
 Scene seen_from(Scene scene, double altitude, double pitch) {
   scene.camera.altitude = altitude;
   scene.camera.pitch = pitch;
+  return scene;
+}
+
+// From a little over the ground, so that none of it rises near by. pitch: degrees.
+Scene seen_from_a_hill(double pitch) {
+  Scene scene = seen_from(bare_ground(), 0.0, pitch);
+  scene.camera.altitude = (glm::length(pose_over_coarse_ground(scene, {}).eye) - 1.0) * scene.planet.radius;
   return scene;
 }
 
@@ -98,7 +108,7 @@ const Case cases[] = {
      29.6, 0.032, 0.002, 0.011, 1.8},
     {"clouds_from_below",
      [] {
-       Scene scene = seen_from(bare_ground(), 0.02, 25.0);
+       Scene scene = seen_from_a_hill(25.0);
        scene.clouds.model = 1;
        return scene;
      },
@@ -112,7 +122,7 @@ const Case cases[] = {
      32.5, 0.022, 0.002, 0.011, 1.8},
     {"air_from_within",
      [] {
-       Scene scene = seen_from(bare_ground(), 0.02, 5.0);
+       Scene scene = seen_from_a_hill(5.0);
        scene.air.model = 1;
        return scene;
      },

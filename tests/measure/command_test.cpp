@@ -84,12 +84,26 @@ TEST(MeasureCommand, GroundsAreMeasuredByThemselves) {
       {"--ground --preset storm", "--ground: is for planets of real size; there are blue, highlands and giant.\n"},
       {"--ground --frames -1", "--frames: must be a whole number, 0 to 1000.\n"},
       {"--frames 3", "--frames: is for --ground.\n"},
-      {"--extremes --frames 3", "--frames: is for --ground.\n"}};
+      {"--extremes --frames 3", "--frames: is for --ground.\n"},
+      {"--flight", "--flight: is for --ground.\n"},
+      {"--extremes --flight", "--flight: is for --ground.\n"},
+      {"--ground --flight --frames 3", "--flight: draws nothing; leave out --frames.\n"}};
   for (const auto& [options, sentence] : cases) {
     const Outcome outcome = run(text_of("measure --out unused ", options));
     EXPECT_EQ(outcome.code, 2) << options;
     EXPECT_EQ(outcome.said, sentence) << options;
   }
+}
+
+TEST(MeasureCommand, FliesToTheGround) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "terrella_flight";
+  testing::internal::CaptureStdout();
+  const Outcome outcome =
+      run(text_of("measure --ground --flight --quick --size 64x36 --preset blue --out ", folder.string()));
+  const std::string told = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(outcome.code, 0) << outcome.said;
+  for (const char* const model : {"quadtree", "triangle_lod", "persistent_grid"})
+    EXPECT_NE(told.find(model), std::string::npos) << told;
 }
 
 // From end to end: a planet so smooth that few triangles suffice.

@@ -105,6 +105,18 @@ TEST(GroundTable, ChoosesWithoutAllocations) {
     EXPECT_EQ(measured_ground(seen_from(blue(), altitude), view).allocations, 0) << altitude;
 }
 
+TEST(GroundFlight, ItsRowTellsOfTheMiddleFrameAndOfTheWorst) {
+  std::vector<FlightFrame> frames(10, {1e3, 2.0, true});
+  frames[3] = {500.0, 5.0, false};
+  const FlightRow row = flight_row("blue", Ground::quadtree, frames);
+  EXPECT_EQ(row.model, "quadtree");
+  EXPECT_EQ(row.median_ms, 2.0);
+  EXPECT_EQ(row.worst_ms, 5.0);
+  EXPECT_EQ(row.worst_at, 500.0);
+  EXPECT_DOUBLE_EQ(row.longer, 0.1);
+  EXPECT_DOUBLE_EQ(row.incomplete, 0.1);
+}
+
 TEST(GroundLimits, AreBrokenOneByOne) {
   EXPECT_EQ(broken_of(sample()), "");
   GroundRow row = sample();
