@@ -55,15 +55,7 @@ function(write_namespace name real prefix)
   foreach(function IN LISTS functions)
     string(APPEND types "using glm::${function};\n")
   endforeach()
-  string(APPEND types "
-using sampler2D = HeightTexels;
-inline ivec2 textureSize(sampler2D texture, int level) {
-  const HeightMap::Level& of = texture.map->levels()[static_cast<std::size_t>(level)];
-  return ivec2(of.width, of.height);
-}
-inline vec4 texelFetch(sampler2D texture, ivec2 place, int level) {
-  return vec4(Real(texture.map->at(level, place.x, place.y)), Real(0), Real(0), Real(1));
-}
+  string(APPEND types "using sampler2D = HeightTexels;
 ")
   file(APPEND ${OUT}/formulas.hpp "
 namespace terrella::${name} {

@@ -11,7 +11,7 @@ namespace terrella::gl {
 
 class HeightTexture {
  public:
-  // With all levels of the map but those that are larger than the driver's textures may be.
+  // With all levels of the map but those that the driver's textures have no room for.
   explicit HeightTexture(const HeightMap& map);
 
   void bind(int unit) const;
