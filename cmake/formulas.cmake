@@ -36,7 +36,8 @@ foreach(file IN LISTS files)
   string(APPEND formulas "#line 1 \"shaders/${file}\"\n${text}\n")
 endforeach()
 
-# The functions and types of GLSL that formulas may use. Named one by one, so that none is taken from <cmath> instead.
+# The functions and types of GLSL that formulas may use; of textures there is one, a map of heights. Functions are named one
+# by one, so that none is taken from <cmath> instead.
 set(functions
   abs acos all any asin atan ceil clamp cos cosh cross degrees determinant distance dot equal exp exp2 faceforward floor
   fract greaterThan greaterThanEqual inverse inversesqrt isinf isnan length lessThan lessThanEqual log log2 max min mix
@@ -54,6 +55,8 @@ function(write_namespace name real prefix)
   foreach(function IN LISTS functions)
     string(APPEND types "using glm::${function};\n")
   endforeach()
+  string(APPEND types "using sampler2D = HeightTexels;
+")
   file(APPEND ${OUT}/formulas.hpp "
 namespace terrella::${name} {
 using Real = ${real};
@@ -68,6 +71,11 @@ file(WRITE ${OUT}/formulas.hpp "// Made from shaders/lib by cmake/formulas.cmake
 #pragma once
 
 #include <glm/glm.hpp>
+
+#include \"base/height_map.hpp\"
+
+// Where formulas may be told more than the driver can be (lib/heights.glsl).
+#define TERRELLA_HOST
 ")
 write_namespace(f32 float "")
 file(APPEND ${OUT}/formulas.hpp "
@@ -76,5 +84,6 @@ file(APPEND ${OUT}/formulas.hpp "
 ")
 write_namespace(f64 double "d")
 file(APPEND ${OUT}/formulas.hpp "#undef TERRELLA_DOUBLE
+#undef TERRELLA_HOST
 ")
 file(WRITE ${OUT}/formulas.cpp "#include \"formulas/formulas.hpp\"\n")

@@ -1,6 +1,7 @@
 #include "native/options.hpp"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "base/file.hpp"
 #include "base/text.hpp"
@@ -29,6 +30,25 @@ void apply_file(const std::string& path, SceneChoice& choice) {
   } else {
     choice.issues.add(load_json(choice.document, *text));
   }
+}
+
+// Of a scene in a file, what lies beside it comes first.
+std::string path_of_map(const std::string& name, const SceneOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!options.scene_file) return name;
+  const fs::path beside = fs::path(*options.scene_file).parent_path() / name;
+  return fs::exists(beside, ignored) ? beside.string() : name;
+}
+
+void read_map(const SceneOptions& options, SceneChoice& choice) {
+  MapFile& file = choice.document.scene.terrain.map;
+  if (file.name.empty()) return;
+  const Result<std::string> bytes = read_file(path_of_map(file.name, options), largest_map_file);
+  if (!bytes) return choice.issues.add("terrain.map", bytes.sentence());
+  Result<SharedHeightMap> map = read_height_map(file.name, *bytes);
+  if (!map) return choice.issues.add("terrain.map", map.sentence());
+  file.map = *map;
 }
 
 void apply_quality(const std::string& name, SceneChoice& choice) {
@@ -76,6 +96,7 @@ SceneChoice choose_scene(const SceneOptions& options) {
   if (options.link) choice.issues.add(load_link(choice.document, *options.link));
   if (options.quality) apply_quality(*options.quality, choice);
   for (const std::string& setting : options.settings) apply_setting(setting, choice);
+  read_map(options, choice);
   return choice;
 }
 

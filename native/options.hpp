@@ -29,7 +29,7 @@ struct SceneChoice {
 };
 
 // The scene that the options ask for: the default, then the preset, the file, the link, the quality and the
-// settings, in this order.
+// settings, in this order; with the map that it names, beside the scene's file or from the working directory.
 SceneChoice choose_scene(const SceneOptions& options);
 
 // Reads the value of --size, "1280x720", each side 1 to most pixels; else leaves them and says why.

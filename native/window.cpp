@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "base/file.hpp"
@@ -87,6 +88,7 @@ Window::Window(Handle handle) : handle_(std::move(handle)), habits_path_(terrell
 }
 
 void Window::run(const SceneDocument& document) {
+  session_.know_map(document.scene.terrain.map);
   session_.load_json(to_json(document));
   while (glfwWindowShouldClose(handle_.get()) == GLFW_FALSE) {
     const Session::Turn turn = session_.frame(glfwGetTime(), 0);
@@ -108,7 +110,9 @@ Session::Host Window::host() {
   host.copy_text = [this](const std::string& text) { glfwSetClipboardString(handle_.get(), text.c_str()); };
   host.copy_typed = host.copy_text;
   host.save_json = [this](const std::string& text) { tell(save_new_file("planet", ".json", text + "\n")); };
-  host.open_json = [this] { session_.add_notices({"To open a scene, drag its JSON file into this window."}); };
+  host.open_json = [this] {
+    session_.add_notices({"To open a scene or a map of heights, drag its JSON, PNG or PFM file into this window."});
+  };
   host.keep_habits = [this](const std::string& habits) { terrella::keep_habits(habits_path_, habits); };
   // Asked for in the middle of a frame; done after it.
   host.fill_screen = [this] { screen_wanted_ = true; };
@@ -196,8 +200,13 @@ void Window::fill_screen() {
 }
 
 void Window::open_file(const std::string& path) {
-  const Result<std::string> text = read_file(path, kLongestJson);
-  session_.add_notices(text ? session_.load_json(*text) : std::vector<std::string>{text.sentence()});
+  const Result<std::string> bytes = read_file(path, largest_map_file);
+  if (!bytes) return session_.add_notices({bytes.sentence()});
+  if (!is_height_map(*bytes)) return session_.add_notices(session_.load_json(*bytes));
+  const std::string name = std::filesystem::path(path).filename().string();
+  const Result<SharedHeightMap> map = read_height_map(name, *bytes);
+  if (!map) return session_.add_notices({map.sentence()});
+  session_.take_map({name, *map});
 }
 
 void Window::save_picture() {

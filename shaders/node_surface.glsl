@@ -1,11 +1,8 @@
 // What pixels know of a ground of nodes: its slopes from the vertices, and the layers that those can't hold from themselves.
+// node_map.glsl or node_no_map.glsl stands before it.
 #include "ground_map.glsl"
 #include "anchored_layers.glsl"
-
-in vec4 node_slope;
-in vec3 node_height;
-in vec2 node_held;
-flat in vec2 node_layers;
+#include "node_inputs.glsl"
 
 // As much of a layer as the vertices hold.
 float held_of_layer(float frequency) {
@@ -62,5 +59,6 @@ GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
   ground.height += ridges * added.height;
   gradient += (ridges * added.slope) * ridge_gradient;
   ground.gradient = gradient - dot(gradient, up) * up;
+  add_finer_map(ground, up, footprint);
   return ground;
 }

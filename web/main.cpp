@@ -127,6 +127,16 @@ EMSCRIPTEN_KEEPALIVE const char* terrella_load_json(const char* text) {
 EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) {
   return returned_list(session->load_link(link));
 }
+// A map of heights: pixels of four bytes, or with a height of 0 the bytes of a PFM file, width of them. A sentence, or
+// "".
+EMSCRIPTEN_KEEPALIVE const char* terrella_take_map(const char* name, const unsigned char* bytes, int width,
+                                                   int height) {
+  const auto map = height == 0 ? terrella::read_pfm_height_map(
+                                     name, {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(width)})
+                               : terrella::read_pixels_of_height_map(name, width, height, bytes);
+  if (map) session->take_map({name, *map});
+  return returned(map.sentence());
+}
 EMSCRIPTEN_KEEPALIVE void terrella_add_notice(const char* sentence) { session->add_notices({sentence}); }
 EMSCRIPTEN_KEEPALIVE void terrella_copy_failed() { session->copy_failed(); }
 EMSCRIPTEN_KEEPALIVE void terrella_set_paused(int paused) { session->set_paused(paused != 0); }

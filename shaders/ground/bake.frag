@@ -1,38 +1,7 @@
-// Fills a face of the map of the ground; ground_map.glsl says what it holds.
-#include "scene_block.glsl"
-#include "lib/heights.glsl"
-
-uniform float texel_angle;
-
-in vec3 cube_direction;
-out vec4 fragment;
-
-Terrain scene_terrain() {
-  Terrain t;
-  t.height = terrain_height;
-  t.frequency = terrain_frequency;
-  t.octaves = terrain_octaves;
-  t.persistence = terrain_persistence;
-  t.lacunarity = terrain_lacunarity;
-  t.power = terrain_power;
-  t.ridged = terrain_ridged != 0;
-  t.sharpness = terrain_ridge_sharpness;
-  t.seed = uint(planet_seed);
-  t.ranges.part = terrain_ranges;
-  t.ranges.first = terrain_range_layer;
-  t.craters.depth = terrain_craters;
-  t.craters.frequency = terrain_crater_frequency;
-  t.craters.sizes = terrain_crater_sizes;
-  t.craters.seed = uint(planet_seed);
-  t.ice.sea = water_level;
-  t.ice.sine = polar_sine(water_ice_latitude);
-  t.ice.seed = uint(planet_seed);
-  return t;
-}
+// Fills a face of the map of the ground.
+#include "baked_ground.glsl"
 
 void main() {
   vec3 direction = normalize(cube_direction);
-  Height ground = terrain_height_at(direction, scene_terrain(), texel_angle);
-  vec3 tangential = ground.gradient - dot(ground.gradient, direction) * direction;
-  fragment = vec4(tangential + ground.openness * direction, ground.value - water_level);
+  emit_baked(terrain_height_at(direction, scene_terrain(), texel_angle), direction);
 }

@@ -23,6 +23,9 @@ struct Terrain {
   Ranges ranges;
   Craters craters;  // dug into the sum of layers
   Ice ice;          // lies over what is lower
+#ifdef TERRELLA_HOST
+  sampler2D map;  // in C++, which asks one function for heights with and without a map; none: the layers are all there is
+#endif
 };
 
 // A height and how it changes over the unit sphere (radii per radian along each axis, not yet made tangential).
@@ -141,8 +144,27 @@ void raise_ranges(inout Height ground, RidgeSum r, OctaveSum layers, float h, ve
   ground.rise += cover_rise;
 }
 
+// Ice lies over what is lower.
+void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
+  if (!ice_near(direction, ice)) return;
+  float height = ice_height(ice_cover(direction, ice, footprint), ice);
+  if (height <= ground.value) return;
+  ground.value = height;
+  ground.gradient = vec3(0.0);
+  ground.openness = 0.6;
+  ground.rise = 0.0;
+  ground.ridges = 0.0;
+}
+
+#ifdef TERRELLA_HOST
+Height mapped_height_at(vec3 direction, Terrain t, sampler2D map, float footprint);
+
+#endif
 // The ground at a direction (unit), without what samples a footprint (rad) apart can't show.
 Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
+#ifdef TERRELLA_HOST
+  if (t.map.map != nullptr) return mapped_height_at(direction, t, t.map, footprint);
+#endif
   OctaveSum sum = no_octaves();
   float frequency = t.frequency;
   float relief = 0.0;
@@ -181,16 +203,7 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
   ground.gradient = gradient * ground.rise;
   if (has_ranges) raise_ranges(ground, ridges, sum, h, gradient, t.ranges.part * t.height);
   ground.openness = openness_of(relief * (ground.rise + ground.ridges));
-  if (ice_near(direction, t.ice)) {
-    float ice = ice_height(ice_cover(direction, t.ice, footprint), t.ice);
-    if (ice > ground.value) {
-      ground.value = ice;
-      ground.gradient = vec3(0.0);
-      ground.openness = 0.6;
-      ground.rise = 0.0;
-      ground.ridges = 0.0;
-    }
-  }
+  lay_ice(ground, direction, t.ice, footprint);
   return ground;
 }
 

@@ -1,3 +1,4 @@
 // A calm sea whose ripples are too small to be seen, over a ground of nodes.
 #include "smooth_water.glsl"
+#include "node_no_map.glsl"
 #include "shore_nodes.glsl"

@@ -1,3 +1,4 @@
 // A calm sea with ripples, over a ground of nodes.
 #include "rippled_water.glsl"
+#include "node_no_map.glsl"
 #include "shore_nodes.glsl"

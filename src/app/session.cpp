@@ -431,11 +431,34 @@ void Session::scene_was_changed() {
 
 // What is opened before the first picture is the beginning: nothing leads back from it.
 void Session::open(const SceneDocument& loaded) {
-  document_ = opened_ = loaded;
+  document_ = loaded;
+  find_map();
+  opened_ = document_;
   notices_.clear();  // they were about another scene
   camera_.scene_replaced(document_.scene);
   if (!planet_shown_) history_.start({document_, opened_});
   history_.begin();
+  scene_was_changed();
+}
+
+void Session::find_map() {
+  MapFile& file = document_.scene.terrain.map;
+  for (const MapFile& known : maps_) {
+    if (!file.map && known.name == file.name) file = known;
+  }
+}
+
+void Session::know_map(const MapFile& file) {
+  constexpr std::size_t most_kept = 4;  // up to 180 MB each
+  std::erase_if(maps_, [&](const MapFile& known) { return known.name == file.name; });
+  if (maps_.size() == most_kept) maps_.erase(maps_.begin());
+  maps_.push_back(file);
+}
+
+void Session::take_map(const MapFile& file) {
+  know_map(file);
+  document_.scene.terrain.map = file;
+  go_on_by(History::Means::calls);
   scene_was_changed();
 }
 
@@ -472,6 +495,7 @@ std::vector<std::string> Session::load_link(const std::string& link) {
 std::string Session::set(const std::string& path, const std::string& text) {
   const std::optional<Issue> issue = assign_text(document_.scene, path, text);
   if (issue) return issue->text();
+  find_map();
   go_on_by(History::Means::calls);
   scene_was_changed();
   return {};

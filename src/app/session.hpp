@@ -91,6 +91,10 @@ class Session {
   // Sentences for what was skipped; the rest applies.
   std::vector<std::string> load_json(const std::string& text);
   std::vector<std::string> load_link(const std::string& link);
+  // A map of heights that is at hand, for scenes that name it. The last few are kept.
+  void know_map(const MapFile& file);
+  // The same, which the scene takes at once.
+  void take_map(const MapFile& file);
   // A sentence if the value was refused, else nothing. text: as in a link.
   std::string set(const std::string& path, const std::string& text);
   // One step back or ahead; nothing where there is none, or while a hand is in the middle of a change.
@@ -140,6 +144,8 @@ class Session {
   void fly_to(const Destination& there);
   void scene_was_changed();
   void open(const SceneDocument& loaded);
+  // Gives the scene the map that it names, if it is at hand.
+  void find_map();
   void return_to(const Snapshot& snapshot);
   bool hand_is_busy() const { return drag_ != Drag::none || hand_on_value_; }
   void begin_step_of_panel();
@@ -171,7 +177,8 @@ class Session {
 
   Host host_;
   SceneDocument document_;
-  SceneDocument opened_;  // as it was when it was loaded
+  SceneDocument opened_;       // as it was when it was loaded
+  std::vector<MapFile> maps_;  // at hand, the last one last
   History history_;
   ImGuiContext* imgui_;
   std::string clipboard_;                  // as the panel's fields know it

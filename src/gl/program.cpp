@@ -88,6 +88,7 @@ void Program::finish() {
   set("node_slopes", unit_nodes + 2);
   set("node_coarser_slopes", unit_nodes + 3);
   set("node_rises", unit_nodes + 4);
+  set("height_map", unit_heights);
   finished_ = true;
 }
 

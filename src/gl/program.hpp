@@ -40,7 +40,13 @@ class Program {
 };
 
 // Texture units and uniform blocks have the same place in every program.
-enum Unit : int { unit_ground = 0, unit_clouds = 1, unit_image = 2, unit_nodes = 3 };  // nodes: five of them
+enum Unit : int {
+  unit_ground = 0,
+  unit_clouds = 1,
+  unit_image = 2,
+  unit_nodes = 3,
+  unit_heights = 8
+};  // nodes: five of them
 enum Block : GLuint { block_scene = 0, block_frame = 1, block_waves = 2, block_layers = 3 };
 
 }  // namespace terrella::gl

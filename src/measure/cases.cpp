@@ -38,6 +38,7 @@ std::vector<Value> ends_of(const Parameter& parameter) {
     case Type::Int: return {static_cast<int>(parameter.min), static_cast<int>(parameter.max)};
     case Type::Bool: return {false, true};
     case Type::Color: return {Color::from_hex(0x000000), Color::from_hex(0xffffff)};
+    case Type::File: return {};
     case Type::Choice: break;
   }
   std::vector<Value> names;

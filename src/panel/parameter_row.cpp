@@ -151,6 +151,14 @@ void choice_list(Sheet& sheet, const Parameter& parameter) {
   ImGui::EndCombo();
 }
 
+// What file the planet has; its row's button for the preset's value clears it.
+void file_field(Sheet& sheet, const Parameter& parameter, float width) {
+  const std::string name = std::get<std::string>(parameter.get(sheet.document.scene));
+  const bool pressed = ImGui::Button(((name.empty() ? "drop a file here" : name) + "###value").c_str(), {width, 0.0F});
+  if (pressed) sheet.wishes.open_json = true;  // a map is opened as a scene is
+  sheet.place(parameter.path);
+}
+
 void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
   ImGui::SetNextItemWidth(width);
   switch (parameter.type) {
@@ -159,6 +167,7 @@ void value_widget(Sheet& sheet, const Parameter& parameter, float width) {
     case Type::Bool: checkbox(sheet, parameter); break;
     case Type::Color: color_field(sheet, parameter, width); break;
     case Type::Choice: choice_list(sheet, parameter); break;
+    case Type::File: file_field(sheet, parameter, width); break;
   }
   // Nobody drags while typing.
   if (ImGui::IsItemActive() && !ImGui::GetIO().WantTextInput) sheet.wishes.dragging = true;

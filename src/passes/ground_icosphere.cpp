@@ -30,6 +30,7 @@ void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {
 }
 
 void GroundIcosphere::want(const Needs& needs) {
+  bake_program_.want(needs.ground_mapped ? "ground/bake_mapped" : "ground/bake");
   draw_program_.want(refines_ground(needs) ? "ground/icosphere_near" : "ground/icosphere");
 }
 
@@ -107,10 +108,17 @@ void GroundIcosphere::finish_fine(const Frame& frame) {
   making_.reset();
 }
 
+void GroundIcosphere::bind_heights(const HeightMap* map) {
+  if (map == nullptr) return heights_.reset();
+  if (!heights_ || heights_->serial() != map->serial()) heights_.emplace(*map);
+  heights_->bind(gl::unit_heights);
+}
+
 void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows) {
-  bake_program_.use();
-  bake_program_.set("texel_angle", static_cast<float>(texel_angle(map.side())));
-  noise_evaluations_ += bake.advance(bake_program_, map, rows) * noise_per_height(frame.scene, texel_angle(map.side()));
+  bind_heights(frame.scene.terrain.map.map.get());
+  gl::Program& program = bake_program_.use(true);
+  program.set("texel_angle", static_cast<float>(texel_angle(map.side())));
+  noise_evaluations_ += bake.advance(program, map, rows) * noise_per_height(frame.scene, texel_angle(map.side()));
 }
 
 void GroundIcosphere::displace(const Scene& scene, int level, std::size_t end, std::vector<glm::vec3>& positions) {

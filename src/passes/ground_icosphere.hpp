@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "gl/height_texture.hpp"
 #include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
 #include "passes/cube_bake.hpp"
@@ -71,12 +72,15 @@ class GroundIcosphere : public GroundPass {
   void begin_fine();
   void advance_fine(const Frame& frame);
   void finish_fine(const Frame& frame);
+  // Makes the scene's map of heights readable, if it has one.
+  void bind_heights(const HeightMap* map);
   void bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows);
   // Computes the vertices from the number made so far up to an end.
   void displace(const Scene& scene, int level, std::size_t end, std::vector<glm::vec3>& positions);
 
   SphereMeshes& spheres_;
-  gl::Program bake_program_{"ground/bake", "picture/cube_face"};
+  gl::ProgramChoice bake_program_{"picture/cube_face"};
+  std::optional<gl::HeightTexture> heights_;  // of the scene's map
   gl::ProgramChoice draw_program_{"ground/icosphere"};
   gl::UniformBuffer layers_;
   std::optional<f64::Terrain> relief_;

@@ -2,7 +2,7 @@
 // the triangles of an icosahedron (Lindner), or of a grid around the place below the eye (Michelic 2018, section 3).
 #pragma once
 
-#include "gl/program.hpp"
+#include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
 #include "passes/ground.hpp"
 #include "passes/node_meshes.hpp"
@@ -11,11 +11,14 @@ namespace terrella {
 
 class GroundNodes : public GroundPass {
  public:
+  void want(const Needs& needs) override {
+    program_.want(needs.ground_mapped ? "ground/nodes_mapped" : "ground/nodes");
+  }
   bool ready() override { return program_.ready(); }
   void draw(const Frame& frame) override;
 
  private:
-  gl::Program program_{"ground/nodes"};
+  gl::ProgramChoice program_{"ground/nodes"};
   gl::UniformBuffer layers_;
 };
 

@@ -35,6 +35,12 @@ NodeMeshes::NodeMeshes() : cache_(node_slots) {}
 void NodeMeshes::start_anew(const Frame& frame) {
   terrain_ = exact_terrain_of(frame.scene);
   cache_.clear();
+  const HeightMap* map = terrain_->map.map;
+  if (map == nullptr) {
+    heights_.reset();
+  } else if (!heights_ || heights_->serial() != map->serial()) {
+    heights_.emplace(*map);
+  }
 }
 
 void NodeMeshes::make_room(int cells) {
@@ -112,12 +118,14 @@ void NodeMeshes::pack(const Frame& frame) {
   const auto& terrain = frame.scene.terrain;
   const double sea = water_radius(frame.scene);
   instances_.clear();
+  const int beyond_map = first_layer(frame.scene);
   const auto add = [&](const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
     const glm::dvec3& middle = entry.frame.outline.middle;
     const double base = entry.frame.base;
     const double spacing = grid_->spacing(entry.node.level, patch_.cells);
-    const int held = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * spacing);
+    const int by_vertices = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * spacing);
+    const int held = std::max(by_vertices, beyond_map);
     instances_.push_back(vector((1.0 + base) * middle - frame.pose.eye, drawn.slot));
     instances_.push_back(vector(middle, base));
     instances_.push_back(vector(middle - eye_.direction, grid_->edge(entry.node.level)));
@@ -144,6 +152,7 @@ void NodeMeshes::pack(const Frame& frame) {
 
 void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
+  if (heights_) heights_->bind(gl::unit_heights);
   program.set("node_cells", patch_.cells);
   program.set("node_morph", static_cast<float>(ranges_.morph_begin()), static_cast<float>(ranges_.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));

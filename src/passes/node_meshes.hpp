@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gl/height_texture.hpp"
 #include "gl/mesh.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
@@ -64,6 +65,7 @@ class NodeMeshes {
   NodePatch patch_;
   NodeRanges ranges_;
   std::optional<f64::Terrain> terrain_;
+  std::optional<gl::HeightTexture> heights_;  // of its map
   std::array<std::unique_ptr<gl::Image>, 5> textures_;
   std::array<Run, most_node_lists> lists_;  // of the triangles (node_triangles)
   std::unique_ptr<gl::Instances> meshes_;

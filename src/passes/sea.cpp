@@ -37,7 +37,10 @@ void SeaPass::want(const Needs& needs) {
     over_nodes_ = over_nodes;
     program_.emplace(over_nodes ? "water/nodes" : technique_ == Water::calm ? "water/calm" : "water/waves");
   }
-  if (over_nodes) return program_->want(needs.ripple_layers > 0 ? "water/rippled_nodes" : "water/calm_nodes");
+  if (over_nodes) {
+    const std::string name = needs.ripple_layers > 0 ? "water/rippled_nodes" : "water/calm_nodes";
+    return program_->want(name + (needs.ground_mapped ? "_mapped" : ""));
+  }
   const bool near = refines_ground(needs);
   if (needs.water == Water::waves) return program_->want(near ? "water/waves_near" : "water/waves");
   if (needs.ripple_layers > 0) return program_->want(near ? "water/rippled_near" : "water/rippled");

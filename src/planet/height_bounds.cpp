@@ -52,6 +52,34 @@ HeightRange change_with_ranges(const f64::Terrain& terrain, const HeightRange& c
   return {std::max(computed.lowest - change, 0.0), std::min(computed.highest + change, terrain.height)};
 }
 
+// How far a map of heights may be from what samples say, as a part of the highest: by its slope, and by what they left
+// out: a coarser level, whose texels are at most two footprints wide, tells of heights up to three texels away.
+double change_of_map(const HeightMap& map, double footprint, double apart) {
+  const double told_from = footprint > map.texel() ? 13.0 * footprint : 0.0;
+  return std::min(map.steepest() * (apart + told_from), static_cast<double>(map.highest() - map.lowest()));
+}
+
+// By the steepest that a map and the layers finer than it can be, and what these add at most.
+HeightRange change_on_map(const f64::Terrain& terrain, const HeightRange& computed, double footprint, double apart) {
+  const HeightMap& map = *terrain.map.map;
+  const int first = f64::first_layer_beyond(map.texel(), terrain), finer = terrain.octaves - first;
+  double share = 0.0, change = 0.0;
+  if (finer > 0) {
+    share = std::pow(terrain.persistence, first) * f64::amplitude_sum(terrain.persistence, finer) /
+            f64::amplitude_sum(terrain.persistence, terrain.octaves);
+    change = share * change_of_layers(terrain, first, terrain.ridged, footprint, apart);
+  }
+  double most_added = 0.75 * share;
+  if (terrain.craters.depth > 0.0) {
+    change += change_by_craters(terrain.craters, footprint, apart) / terrain.height;
+    most_added += change_by_craters(terrain.craters, 1.0, 1.0) / terrain.height;
+  }
+  const double bend = f64::mapped_rise_slope(0.0, terrain.power) * most_added;
+  const double by = terrain.height * ((1.0 + bend) * change_of_map(map, footprint, apart) +
+                                      f64::mapped_rise(1.0, terrain.power) * change);
+  return {std::max(computed.lowest - by, 0.0), std::min(computed.highest + by, terrain.height)};
+}
+
 }  // namespace
 
 bool may_freeze(const f64::Ice& ice, const glm::dvec3& direction, double distance) {
@@ -63,7 +91,9 @@ HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& compu
                            bool may_freeze) {
   HeightRange range = computed;
   const bool is_flat = terrain.power == 0.0 && terrain.ranges.part == 0.0;
-  if (terrain.octaves > 0 && terrain.height > 0.0 && !is_flat) {
+  if (terrain.map.map != nullptr) {
+    if (terrain.height > 0.0) range = change_on_map(terrain, computed, footprint, apart);
+  } else if (terrain.octaves > 0 && terrain.height > 0.0 && !is_flat) {
     // In the sum of layers, before the power that makes plains flat: there changes are the same at any height.
     double change = change_of_layers(terrain, 0, terrain.ridged, footprint, apart);
     if (terrain.craters.depth > 0.0) change += change_by_craters(terrain.craters, footprint, apart) / terrain.height;

@@ -120,6 +120,7 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
              "edges of a node within which it is split in four: more where its cells are not enough for the picture");
   const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
   needs.ground_finest = std::max(0.125 / finest, 2.0 * finest_footprint);
+  if (terrain.map.map) needs.ground_finest = std::min(needs.ground_finest, 0.5 * terrain.map.map->texel());
   decide.add("ground.finest", needs.ground_finest * scene.planet.radius,
              "m between vertices, which shows the finest layer of noise: no closer anywhere");
   constexpr double coarsest_spacing = 0.2;  // about that of undivided nodes of the fewest cells
@@ -128,6 +129,16 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   needs.pixel_octaves_end = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves,
                                             std::max(footprint_below(scene, pose), finest_footprint));
   decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
+}
+
+void decide_map(Needs& needs, const Scene& scene, Decisions& decide) {
+  const MapFile& file = scene.terrain.map;
+  needs.ground_mapped = file.map != nullptr;
+  if (file.name.empty() && !needs.ground_mapped) return;
+  decide.add("ground.map", needs.ground_mapped ? file.name : "none",
+             needs.ground_mapped ? text_of("terrain.map has the continents; layers of noise from the ",
+                                           first_layer(scene) + 1, ". on are finer than its texels")
+                                 : "terrain.map names a file that is not here: the continents are the seed's");
 }
 
 void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
@@ -139,6 +150,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
              : needs.ground == Ground::icosphere
                  ? "a miniature: one mesh shows all of it"
                  : "the planet is of real size: from 10 km of radius on, and mountains below a fiftieth of it");
+  decide_map(needs, scene, decide);
   if constexpr (has_real_size) {
     if (has_nodes(needs.ground)) return decide_nodes(needs, scene, pose, decide);
   }
@@ -159,7 +171,8 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   const double texel = texel_angle(needs.ground_texels);
   const double pixel = footprint_below(scene, pose);
   const int shown = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, pixel);
-  const int first = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, texel);
+  const int held = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, texel);
+  const int first = std::max(held, first_layer(scene));
   const bool near_enough = pixel * scene.quality.ground_texel_size < texel && terrain.height > 0.0;
   needs.pixel_octaves_first = first;
   needs.pixel_octaves_end = near_enough ? std::max(first, shown) : first;
@@ -395,7 +408,7 @@ int ground_level(const Scene& scene) {
   const int finest = finest_relief_level(scene);
   for (int level = group_level; level < finest; ++level) {
     const double edge = icosphere_edge(level);
-    const double missing = scene.terrain.octaves > 0 ? height * edge * scene.terrain.frequency : 0.0;
+    const double missing = has_relief(scene) ? height * edge * scene.terrain.frequency : 0.0;
     if (edge * edge / 8.0 + missing < allowed) return level;
   }
   return finest;

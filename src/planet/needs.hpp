@@ -45,6 +45,7 @@ struct Needs {
 
   int ground_level = 0;         // icosphere level of the finished ground
   double ground_spacing = 0;    // of the vertices of its mesh, of nodes below the eye, rad
+  bool ground_mapped = false;   // a map of heights tells the continents
   double ground_tolerance = 0;  // by how much its triangles may miss its vertices, radii
   int ground_texels = 0;        // side of a face of its map
   double ground_split = 0;      // of a ground of nodes: nearer than so many of its edges a node is split

@@ -36,6 +36,7 @@ Terrain made_terrain(const Scene& scene) {
   terrain.ice.sea = static_cast<Real>(water_level(scene) / scene.planet.radius);
   terrain.ice.sine = static_cast<Real>(f64::polar_sine(scene.water.ice_latitude));
   terrain.ice.seed = seed;
+  if (const HeightMap* map = scene.terrain.map.map.get()) terrain.map = {map, map->serial()};
   return terrain;
 }
 
@@ -45,9 +46,18 @@ f64::Terrain exact_terrain_of(const Scene& scene) { return made_terrain<f64::Ter
 
 f32::Terrain terrain_of(const Scene& scene) { return made_terrain<f32::Terrain, float>(scene); }
 
+// What reading a map costs, in evaluations of noise (measured).
+constexpr int noise_per_map = 6;
+
+int first_layer(const Scene& scene) {
+  const SharedHeightMap& map = scene.terrain.map.map;
+  return map ? f64::first_layer_beyond(map->texel(), exact_terrain_of(scene)) : 0;
+}
+
 int noise_per_height(const Scene& scene, double footprint) {
   const auto& terrain = scene.terrain;
-  const int octaves = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint);
+  const int visible = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves, footprint);
+  const int octaves = std::max(visible - first_layer(scene), 0) + (terrain.map.map ? noise_per_map : 0);
   return std::max(1, octaves + (terrain.craters > 0.0 ? 3 * terrain.crater_sizes : 0) + (has_ice(scene) ? 1 : 0));
 }
 
@@ -75,8 +85,9 @@ double unseen_slopes(const Scene& scene, double footprint) {
   const auto& terrain = scene.terrain;
   const double square = f64::noise_slope_square * f64::layer_slope_square(terrain.ridged, terrain.ridge_sharpness);
   double variance = 0.0, amplitude = 1.0, frequency = terrain.frequency;
+  const int first = first_layer(scene);
   for (int i = 0; i < terrain.octaves; ++i) {
-    const double shown = f64::layer_weight(frequency, footprint);
+    const double shown = i < first ? 1.0 : f64::layer_weight(frequency, footprint);
     const double steepness = amplitude * frequency;
     variance += (1.0 - shown * shown) * steepness * steepness * square;
     amplitude *= terrain.persistence;
@@ -92,10 +103,13 @@ double unseen_heights(const Scene& scene, double footprint, double finer) {
   const auto& terrain = scene.terrain;
   const double layer = terrain.ridged ? ridged_layer : smooth_layer;
   double lost = 0.0, lost_ridges = 0.0, amplitude = 1.0, all_ridges = 0.0, frequency = terrain.frequency;
+  const HeightMap* map = terrain.map.map.get();
+  const int first = first_layer(scene);
   for (int i = 0; i < terrain.octaves; ++i) {
-    const double unseen = f64::layer_weight(frequency, finer) - f64::layer_weight(frequency, footprint);
+    const double unseen =
+        i < first ? 0.0 : f64::layer_weight(frequency, finer) - f64::layer_weight(frequency, footprint);
     lost += std::pow(unseen * amplitude * layer, 2.0);
-    if (i >= terrain.range_layer) {
+    if (i >= terrain.range_layer && map == nullptr) {
       lost_ridges += std::pow(unseen * amplitude * ridged_layer, 2.0);
       all_ridges += amplitude;
     }
@@ -103,13 +117,21 @@ double unseen_heights(const Scene& scene, double footprint, double finer) {
     frequency *= terrain.lacunarity;
   }
   const double total = f64::amplitude_sum(terrain.persistence, terrain.octaves);
+  const double height = terrain.height / scene.planet.radius;
+  if (map != nullptr) {
+    constexpr double high = 0.5;
+    const double of_map = std::max(map->unseen_variance(footprint) - map->unseen_variance(finer), 0.0);
+    const double rise = total > 0.0 ? f64::mapped_rise(high, terrain.power) / total : 0.0;
+    return height * std::sqrt(of_map + rise * rise * lost);
+  }
   if (total <= 0.0) return 0.0;
   constexpr double steep = 0.7;
-  const double height = terrain.height / scene.planet.radius;
   const double rise = (1.0 - terrain.ranges) * f64::height_power_slope(steep, height, terrain.power) / total;
   const double of_ranges = all_ridges > 0.0 ? 3.0 * steep * steep * terrain.ranges * height / all_ridges : 0.0;
   return std::hypot(rise * std::sqrt(lost), of_ranges * std::sqrt(lost_ridges));
 }
+
+bool has_relief(const Scene& scene) { return scene.terrain.octaves > 0 || scene.terrain.map.map; }
 
 bool has_ground(const Scene& scene) { return scene.terrain.model != 0; }
 

@@ -18,6 +18,12 @@ f32::Terrain terrain_of(const Scene& scene);
 // Earth, a hand's breadth on the largest planet.
 inline constexpr double finest_footprint = 5e-10;
 
+// The first layer of noise that adds to the ground: where there is a map, it stands for those before.
+int first_layer(const Scene& scene);
+
+// Whether the ground is anything else than a sphere before ice and water.
+bool has_relief(const Scene& scene);
+
 // Work of one height among samples a footprint (rad) apart, in evaluations of noise, at least 1. A size of craters
 // takes as long as three (measured); ice is looked for only around the poles.
 int noise_per_height(const Scene& scene, double footprint);

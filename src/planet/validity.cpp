@@ -81,7 +81,8 @@ void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std:
          "planets of real size are drawn by the desktop program only; here the ground near the eye is coarse."});
     return;
   }
-  const bool relief = needs.ground == Ground::icosphere && terrain.octaves > 0;  // nodes grow as fine as it takes
+  const bool relief =
+      needs.ground == Ground::icosphere && terrain.octaves > 0 && !terrain.map.map;  // nodes grow as fine as it takes
   const double may_be_missed = scene.quality.pixel_error * pixel_of_height(pose);
   const double edge = icosphere_edge(needs.ground_level), most = most_cells_on_edge / edge;
   const double missed = missed_part(terrain.frequency * edge);
@@ -91,6 +92,14 @@ void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std:
       {"terrain.frequency",
        text_of(number(terrain.frequency), " cells in a radius are more than the mesh ",
                "of the ground can raise; it does up to ", number(most), ", finer hills are flat and only shaded.")});
+}
+
+void judge_map(const Scene& scene, std::vector<Issue>& issues) {
+  const MapFile& file = scene.terrain.map;
+  if (file.name.empty() || file.map) return;
+  issues.push_back({"terrain.map", text_of(json_quoted(shortened(file.name)),
+                                           " is not here; drop the file on the planet. Until then its continents are "
+                                           "those of the seed.")});
 }
 
 void judge_clouds(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
@@ -154,6 +163,7 @@ std::vector<Issue> beyond_validity(const Scene& scene, const View& view, const P
   judge_camera(scene, pose, issues);
   judge_heights(scene, needs, issues);
   judge_ground(scene, pose, needs, issues);
+  judge_map(scene, issues);
   judge_clouds(scene, pose, needs, issues);
   judge_waves(scene, pose, needs, issues);
   judge_water(scene, view, pose, needs, issues);

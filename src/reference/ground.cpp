@@ -43,14 +43,16 @@ constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls;
 }  // namespace
 
 Ground::Ground(const Scene& scene, double footprint)
-    : terrain_(exact_terrain_of(scene)), footprint_(std::max(footprint, 0.25 / finest)) {
+    : terrain_(exact_terrain_of(scene)), map_(scene.terrain.map.map), footprint_(std::max(footprint, 0.25 / finest)) {
   total_ = f64::amplitude_sum(terrain_.persistence, terrain_.octaves);
   first_ridges_ = std::pow(terrain_.persistence, terrain_.ranges.first);
-  if (terrain_.ranges.part > 0.0) {
+  if (terrain_.ranges.part > 0.0 && !map_) {
     const int layers = std::max(terrain_.octaves - terrain_.ranges.first, 0);
     total_ridges_ = first_ridges_ * f64::amplitude_sum(terrain_.persistence, layers);
   }
-  highest_ = 1.0 + (terrain_.octaves > 0 ? terrain_.height : 0.0);
+  const bool has_map = map_ != nullptr;
+  if (has_map) beyond_map_ = f64::first_layer_beyond(map_->texel(), terrain_);
+  highest_ = 1.0 + (terrain_.octaves > 0 || has_map ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
     highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + f64::ice_thickness);
   double frequency = terrain_.craters.frequency;
@@ -119,6 +121,21 @@ Range Ground::heights_of(const Range& means) const {
   return {height(means.least), height(means.most)};
 }
 
+Range Ground::map_around(const glm::dvec3& direction, double chord) const {
+  if (!map_) return {0.0, 0.0};
+  const double height = f64::map_height_at(terrain_.map, direction, footprint_).value;
+  const double change = map_->steepest() * 2.0 * std::asin(std::min(0.5 * chord, 1.0));
+  return {std::max(height - change, double{map_->lowest()}), std::min(height + change, double{map_->highest()})};
+}
+
+Range Ground::heights_on(const Range& map, const Range& added) const {
+  const auto height = [&](double part, double rise_at, double more) {
+    return terrain_.height * std::clamp(part + f64::mapped_rise(rise_at, terrain_.power) * more, 0.0, 1.0);
+  };
+  return {height(map.least, added.least < 0.0 ? map.most : map.least, added.least),
+          height(map.most, added.most < 0.0 ? map.least : map.most, added.most)};
+}
+
 Range Ground::ranges_over(const Range& means, const Range& ridges) const {
   const auto height = [&](double mean, double ridge) {
     return terrain_.ranges.part * terrain_.height * f64::range_cover(mean) * std::pow(std::max(ridge, 0.0), 3.0);
@@ -128,8 +145,10 @@ Range Ground::ranges_over(const Range& means, const Range& ridges) const {
 
 Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
   const double ice = may_freeze(terrain_.ice, direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
-  if (terrain_.octaves == 0 || terrain_.height <= 0.0) return {0.0, ice};
-  if (terrain_.power == 0.0 && total_ridges_ == 0.0) {
+  const bool has_map = map_ != nullptr;
+  if ((terrain_.octaves == 0 && !has_map) || terrain_.height <= 0.0) return {0.0, ice};
+  const Range map = map_around(direction, chord);
+  if (terrain_.power == 0.0 && total_ridges_ == 0.0 && !has_map) {
     const Range flat = heights_of({0.0, 0.0});
     return {flat.least, std::max(flat.most, ice)};
   }
@@ -139,22 +158,29 @@ Range Ground::range_around(const glm::dvec3& direction, double chord, const Rang
   ridges.unknown = total_ridges_;
   ridges.amplitude = first_ridges_;
   Range dug = {0.0, 0.0}, heights;
+  const double mean_layer = f64::layer_mean(terrain_.ridged);
   double undug = crater_cells_, frequency = terrain_.frequency, crater_frequency = craters.frequency;
   for (int i = 0;; ++i) {
-    const Range mean = layers.mean(range_of_layers(terrain_.ridged), total_);
+    const Range mean =
+        terrain_.octaves > 0 ? layers.mean(range_of_layers(terrain_.ridged), total_) : Range{mean_layer, mean_layer};
     const Range dug_means = {mean.least + (dug.least - bowls * undug) / terrain_.height,
                              mean.most + (dug.most + rims * undug) / terrain_.height};
-    heights = heights_of(dug_means);
+    heights =
+        has_map ? heights_on(map, {dug_means.least - mean_layer, dug_means.most - mean_layer}) : heights_of(dug_means);
     if (total_ridges_ > 0.0) {
       const Range of_ranges = ranges_over(dug_means, ridges.mean(range_of_layers(true), total_ridges_));
       heights = {heights.least + of_ranges.least, heights.most + of_ranges.most};
     }
     heights.most = std::max(heights.most, ice);
     // What may take any value within the distance is not worth asking for: nor is all that is finer.
-    const bool layer_tells = i < terrain_.octaves && frequency * chord < 0.4 && frequency < finest;
+    const bool is_of_map = i < beyond_map_;
+    const bool layer_tells = i < terrain_.octaves && (is_of_map || (frequency * chord < 0.4 && frequency < finest));
     const bool craters_tell = i < craters.sizes && craters.depth > 0.0 && crater_frequency * chord < 0.4;
     if (heights.lies_apart_from(told_from) || !(layer_tells || craters_tell)) return heights;
-    if (layer_tells) {
+    if (is_of_map) {
+      layers.add({mean_layer, mean_layer}, terrain_.persistence);
+      frequency *= terrain_.lacunarity;
+    } else if (layer_tells) {
       const Range noise = noise_around(direction, chord, frequency, i);
       layers.add(layer_of(noise, frequency, terrain_.ridged), terrain_.persistence);
       if (total_ridges_ > 0.0 && i >= terrain_.ranges.first) {

@@ -39,11 +39,16 @@ class Ground {
   [[nodiscard]] Range layer_of(const Range& noise, double frequency, bool ridged) const;
   [[nodiscard]] Range craters_around(const glm::dvec3& direction, double chord, double frequency, int size) const;
   [[nodiscard]] double left_in(double value, double frequency, bool ridged) const;
+  // Of the map, 0..1, and of the ground by what layers and craters add to it, radii.
+  [[nodiscard]] Range map_around(const glm::dvec3& direction, double chord) const;
+  [[nodiscard]] Range heights_on(const Range& map, const Range& added) const;
   // From the means of all layers, 0..1: without ranges, and what those add; ridges: of them, 0..1.
   [[nodiscard]] Range heights_of(const Range& means) const;
   [[nodiscard]] Range ranges_over(const Range& means, const Range& ridges) const;
 
   f64::Terrain terrain_;
+  SharedHeightMap map_;  // that terrain_ reads
+  int beyond_map_ = 0;   // the first layer that the map does not stand for
   double footprint_;
   double total_;               // of the amplitudes of the layers
   double first_ridges_ = 0.0;  // amplitude of the first that is ridged for ranges as well

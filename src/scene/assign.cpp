@@ -72,6 +72,19 @@ std::string assign_choice(Field field, const Parameter& parameter, const Value& 
   return {};
 }
 
+bool is_file_name(std::string_view name) {
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  return name.size() <= longest_file_name && std::none_of(name.begin(), name.end(), is_control);
+}
+
+std::string assign_file(Field field, const Value& value) {
+  const auto* name = std::get_if<std::string>(&value);
+  if (name == nullptr || !is_file_name(*name)) return "is not the name of a file";
+  MapFile& file = *std::get<MapFile*>(field);
+  if (file.name != *name) file = {*name, nullptr};
+  return {};
+}
+
 // Text in quotes, all else bare.
 std::string quoted(const Value& value, std::string_view given) {
   return std::holds_alternative<std::string>(value) ? text_of('"', shortened(given), '"') : shortened(given);
@@ -119,6 +132,7 @@ std::string allowed_values(const Parameter& parameter) {
       return text_of(parameter.min, " to ", parameter.max, parameter.unit.empty() ? "" : " ", parameter.unit);
     case Type::Bool: return "true or false";
     case Type::Color: return "#000000 to #ffffff";
+    case Type::File: return text_of("names of up to ", longest_file_name, " bytes, or none");
     case Type::Choice: break;
   }
   return listed(parameter.choices);
@@ -132,6 +146,7 @@ std::optional<Issue> assign(Scene& scene, const Parameter& parameter, const Valu
     case Type::Int: trouble = assign_number(field, parameter, value); break;
     case Type::Bool: trouble = assign_bool(field, value); break;
     case Type::Color: trouble = assign_color(field, value); break;
+    case Type::File: trouble = assign_file(field, value); break;
     case Type::Choice: trouble = assign_choice(field, parameter, value); break;
   }
   if (trouble.empty()) return std::nullopt;

@@ -16,6 +16,7 @@ struct Named {
 #define BOOL(group, name, value, help)
 #define COLOR(group, name, value, help)
 #define CHOICE(group, name, value, choices, help) {#group "." #name, choices},
+#define FILE_NAME(group, name, help)
 #define END_GROUP(group)
 inline constexpr Named kAll[] = {
 #include "scene/params.inc"

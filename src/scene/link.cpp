@@ -17,8 +17,27 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kPageKeys = {"panel", "pause"};
 
-// Without its '#', which would end a query.
+// What a query gives a meaning of its own, as percent signs and digits.
+std::string percent_encoded(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF", kPlain = "-_.";
+  std::string encoded;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const char lower = static_cast<char>(byte | 0x20U);
+    const bool plain =
+        (lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9') || kPlain.find(c) != std::string_view::npos;
+    if (plain) {
+      encoded += c;
+    } else {
+      encoded += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+  }
+  return encoded;
+}
+
+// A colour without its '#', which would end a query.
 std::string link_value(const Value& value) {
+  if (const auto* name = std::get_if<std::string>(&value)) return percent_encoded(*name);
   const std::string text = to_text(value);
   return text.starts_with('#') ? text.substr(1) : text;
 }

@@ -24,6 +24,7 @@ std::string_view type_name(Type type) {
     case Type::Int: return "int";
     case Type::Bool: return "bool";
     case Type::Color: return "color";
+    case Type::File: return "file";
     case Type::Choice: break;
   }
   return "choice";

@@ -1,6 +1,7 @@
 #include "scene/parameters.hpp"
 
 #include <map>
+#include <type_traits>
 
 #include "base/check.hpp"
 #include "base/text.hpp"
@@ -43,6 +44,7 @@ constexpr Row rows[] = {
 #define BOOL(group, name, value, help) {ROW(group, name, Bool), 0, 0, 0, linear, "", "", help},
 #define COLOR(group, name, value, help) {ROW(group, name, Color), 0, 0, 0, linear, "", "", help},
 #define CHOICE(group, name, value, choices, help) {ROW(group, name, Choice), 0, 0, 0, linear, "", choices, help},
+#define FILE_NAME(group, name, help) {ROW(group, name, File), 0, 0, 0, linear, "", "", help},
 #define END_GROUP(group)
 #include "scene/params.inc"
 };
@@ -79,6 +81,7 @@ Parameter parameter_of(const Row& row) {
 #define BOOL(group, name, value, help)
 #define COLOR(group, name, value, help)
 #define CHOICE(group, name, value, choices, help)
+#define FILE_NAME(group, name, help)
 #define END_GROUP(group)
 constexpr Group kGroups[] = {
 #include "scene/params.inc"
@@ -130,6 +133,7 @@ Field Parameter::field(Scene& scene) const {
     case Type::Float: return static_cast<double*>(place);
     case Type::Bool: return static_cast<bool*>(place);
     case Type::Color: return static_cast<Color*>(place);
+    case Type::File: return static_cast<MapFile*>(place);
     case Type::Int:
     case Type::Choice: break;
   }
@@ -140,7 +144,14 @@ Value Parameter::get(const Scene& scene) const {
   // Only read through: `field` serves reading and writing.
   const Field place = field(const_cast<Scene&>(scene));
   if (type == Type::Choice) return std::string(choices.at(static_cast<std::size_t>(*std::get<int*>(place))));
-  return std::visit([](auto* held) { return Value(*held); }, place);
+  return std::visit(
+      [](auto* held) -> Value {
+        if constexpr (std::is_same_v<decltype(held), MapFile*>)
+          return held->name;
+        else
+          return *held;
+      },
+      place);
 }
 
 std::string_view choice_name(const Scene& scene, std::string_view path) {

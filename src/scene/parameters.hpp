@@ -14,17 +14,18 @@
 // params.inc as a table that a program can walk: what the panel, JSON, links, the manual and the checks are made from.
 namespace terrella {
 
-enum class Type { Float, Int, Bool, Color, Choice };
+enum class Type { Float, Int, Bool, Color, Choice, File };
 enum class Scale { Linear, Logarithmic };  // how a slider runs
 
-// A parameter's value, outside of a scene. A choice is its name; a colour may also be text, "#rrggbb".
+// A parameter's value, outside of a scene. A choice is its name, and so is a file; a colour may also be text,
+// "#rrggbb".
 using Value = std::variant<double, int, bool, Color, std::string>;
 
 // "0.9", "true", "#ff8800", "icosphere"
 std::string to_text(const Value& value);
 
 // Where a scene holds a parameter; a choice is held as its index, an int.
-using Field = std::variant<double*, int*, bool*, Color*>;
+using Field = std::variant<double*, int*, bool*, Color*, MapFile*>;
 
 struct Parameter {
   std::string_view group, name;
@@ -70,7 +71,8 @@ std::string_view choice_name(const Scene& scene, std::string_view path);
 std::string allowed_values(const Parameter& parameter);
 
 // Sets a parameter, or leaves the scene as it was and says why: another type, out of range, not finite, no such choice.
-// A whole double passes for an int. `given` is what the sentence quotes, where the user's own spelling is known.
+// A whole double passes for an int. A file of another name is yet to be read. `given` is what the sentence quotes,
+// where the user's own spelling is known.
 std::optional<Issue> assign(Scene& scene, const Parameter& parameter, const Value& value, std::string_view given);
 std::optional<Issue> assign(Scene& scene, const Parameter& parameter, const Value& value);
 

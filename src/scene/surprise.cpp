@@ -99,7 +99,8 @@ void match_level(Scene& scene, const Scene& before, const Locks& locked) {
 }  // namespace
 
 bool is_for_chance(const Parameter& parameter) {
-  return !is_of_view(parameter.group) && parameter.path != "planet.radius";
+  const bool is_file = parameter.type == Type::File;  // the user's own, which no preset has
+  return !is_of_view(parameter.group) && parameter.path != "planet.radius" && !is_file;
 }
 
 Scene surprise(const Scene& scene, const Locks& locked, std::uint32_t seed) {

@@ -24,6 +24,7 @@ Kind kind_of(const Parameter& parameter) {
 
 bool is_in_block(const Parameter& parameter) {
   constexpr std::array<std::string_view, 3> kForTheCpuOnly = {"camera", "quality", "time"};
+  if (parameter.type == Type::File) return false;
   return std::find(kForTheCpuOnly.begin(), kForTheCpuOnly.end(), parameter.group) == kForTheCpuOnly.end();
 }
 

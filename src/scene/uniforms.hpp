@@ -8,7 +8,8 @@
 #include "scene/scene.hpp"
 
 // The scene as the shaders read it: one std140 uniform block. Colours come first, then reals, then whole numbers, bools
-// and choices, each kind in the order of params.inc. The groups camera, quality and time are for the CPU only.
+// and choices, each kind in the order of params.inc. The groups camera, quality and time are for the CPU only, and so
+// are files.
 namespace terrella {
 
 struct BlockMember {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "formulas/formulas.hpp"
+#include "height_maps.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
@@ -131,6 +132,23 @@ TEST(SinglePrecision, TerrainHeight) {
         << ranges;  // measured: 8.5e-8 planet radii without, 1.8e-7 with ranges
     // Measured: 1.9e-4, of slopes up to 2; with ranges, whose crests bend sharply, 2.4e-3.
     EXPECT_LT(worst_gradient, ranges > 0.0F ? 4e-3 : 4e-4) << ranges;
+  }
+}
+
+TEST(SinglePrecision, MapOfHeights) {
+  for (const SharedHeightMap& map : {test::smooth_map(512, 256), test::rough_map(512, 256, 1)}) {
+    const HeightTexels texels = {map.get(), map->serial()};
+    Places places(31U);
+    for (int i = 0; i < tries; ++i) {
+      const glm::vec3 d = glm::normalize(glm::vec3(places.on_sphere()));
+      const float footprint = rounded(std::pow(10.0, places.between(-3.0, 0.5)));
+      const f32::MapHeight a = f32::map_height_at(texels, d, footprint);
+      const f64::MapHeight b = f64::map_height_at(texels, glm::normalize(glm::dvec3(d)), exact(footprint));
+      // A place is known to some u of the map's sides: heights differ by as much as they rise there.
+      const double place = 16.0 * u * map->steepest();
+      ASSERT_NEAR(a.value, b.value, 4.0 * u + place);
+      ASSERT_LT(glm::distance(glm::dvec3(a.gradient), b.gradient), 2.0 * place * 512.0) << i;
+    }
   }
 }
 

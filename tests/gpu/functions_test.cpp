@@ -5,7 +5,9 @@
 #include <functional>
 
 #include "formulas/formulas.hpp"
+#include "gl/height_texture.hpp"
 #include "gpu/gpu_function.hpp"
+#include "height_maps.hpp"
 #include "laws/random_places.hpp"
 #include "native/egl_context.hpp"
 
@@ -197,6 +199,31 @@ TEST_P(OnGpu, ToneAndSrgb) {
     ASSERT_NEAR(out[i].x, f64::filmic(a.x), 1e-5);
     ASSERT_NEAR(out[i].y, f64::srgb_encode(a.y), 1e-5);
     ASSERT_NEAR(out[i].z, f64::tone_map(glm::dvec3(a.x), 1).x, 1e-5);
+  }
+}
+
+// Heights and slopes of a map, of all levels, as the CPU reads it in double precision.
+TEST_P(OnGpu, MapOfHeights) {
+  const SharedHeightMap map = test::smooth_map(256, 128);
+  const gl::HeightTexture texture(*map);
+  texture.bind(gl::unit_heights);
+  glActiveTexture(GL_TEXTURE0);  // where others may be bound
+  const auto in = inputs([](test::Places& p) {
+    return std::pair(glm::vec4(glm::vec3(p.on_sphere()), std::pow(10.0, p.between(-3.0, 0.5))), glm::vec4(0.0F));
+  });
+  const char* const map_of = "MapHeight h = map_height_at(height_map, normalize(a.xyz), a.w); ";
+  const char* const globals = "uniform highp sampler2D height_map;\n";
+  const auto heights =
+      test::run_on_gpu({"height_map"}, std::string(map_of) + "result = vec4(h.gradient, h.value);", in, globals);
+  const auto reliefs =
+      test::run_on_gpu({"height_map"}, std::string(map_of) + "result = vec4(h.relief, 0.0, 0.0, 0.0);", in, globals);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const glm::vec4& a = in[2 * i];
+    const f64::MapHeight expected =
+        f64::map_height_at({map.get(), map->serial()}, glm::normalize(glm::dvec3(a)), double{a.w});
+    ASSERT_NEAR(heights[i].w, expected.value, 4e-6);
+    ASSERT_LT(glm::distance(glm::dvec3(heights[i]), expected.gradient), 4e-4) << a.x << " " << a.y << " " << a.z;
+    ASSERT_NEAR(reliefs[i].x, expected.relief, 4e-4);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "base/check.hpp"
 #include "gl/api.hpp"
 #include "gl/caps.hpp"
+#include "gl/program.hpp"
 #include "gl/target.hpp"
 
 namespace terrella::test {
@@ -54,10 +55,11 @@ inline GLuint shader(GLenum stage, const std::string& body) {
   return name;
 }
 
-// body computes `vec4 result` from `vec4 a` and `vec4 b`.
+// body computes `vec4 result` from `vec4 a` and `vec4 b`. globals: what is declared before it.
 inline std::vector<glm::vec4> run_on_gpu(const std::vector<std::string>& libraries, const std::string& body,
-                                         const std::vector<glm::vec4>& inputs /* a, b, a, b, … */) {
-  const std::string vertex = library(libraries) +
+                                         const std::vector<glm::vec4>& inputs /* a, b, a, b, … */,
+                                         const std::string& globals = {}) {
+  const std::string vertex = library(libraries) + globals +
                              "layout(location = 0) in vec4 a;\nlayout(location = 1) in vec4 b;\nout vec4 outcome;\n"
                              "void main() { vec4 result;\n" +
                              body + "\noutcome = result; gl_Position = vec4(0.0); }\n";
@@ -91,6 +93,7 @@ inline std::vector<glm::vec4> run_on_gpu(const std::vector<std::string>& librari
   const gl::Target somewhere(1, 1, gl::Format::rgba8, false);  // a context without a window has nowhere to draw to
   somewhere.begin();
   glUseProgram(program);
+  glUniform1i(glGetUniformLocation(program, "height_map"), gl::unit_heights);
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginTransformFeedback(GL_POINTS);
   glDrawArrays(GL_POINTS, 0, count);

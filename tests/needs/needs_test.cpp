@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "height_maps.hpp"
 #include "planet/icosphere_groups.hpp"
 #include "planet/spheres.hpp"
 #include "scene/choices.hpp"
@@ -38,6 +39,14 @@ const Case cases[] = {
        s.terrain.height = 0.0;
      },
      [](const Needs& n) { return n.pixel_octaves_first == n.pixel_octaves_end; }},
+    {"a map that is not here changes nothing", [](Scene& s) { s.terrain.map.name = "earth.png"; },
+     [](const Needs& n) { return !n.ground_mapped; }},
+    {"near the ground pixels compute what neither of the maps can hold",
+     [](Scene& s) {
+       s.camera.altitude = 0.05;
+       s.terrain.map = {"earth.png", test::smooth_map(4096, 2048)};
+     },
+     [](const Needs& n) { return n.ground_mapped && n.pixel_octaves_first == 8; }},
     {"no terrain", [](Scene& s) { s.terrain.model = choice("terrain.model", "none"); },
      [](const Needs& n) { return n.ground == Ground::none && n.water == Water::calm; }},
     {"no water", [](Scene& s) { s.water.model = choice("water.model", "none"); },

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "height_maps.hpp"
 #include "laws/random_places.hpp"
 #include "planet/cube_grid.hpp"
 #include "planet/terrain.hpp"
@@ -53,6 +54,16 @@ TEST(HeightBounds, HoldTheWholeGroundOfEveryPreset) {
     f64::Terrain terrain = exact_terrain_of(preset.scene);
     if (preset.name.size() % 2 == 0) terrain.ranges = {0.6, 2};
     expect_whole_ground_within(terrain, places, std::string(preset.name));
+  }
+}
+
+TEST(HeightBounds, HoldAMapAndWhatIsFiner) {
+  test::Places places(7);
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    Scene scene = find_preset(seed == 2U ? "alps" : "blue")->scene;
+    scene.terrain.map = {"a", seed == 3U ? test::smooth_map(512, 256) : test::rough_map(128, 64, seed)};
+    scene.terrain.craters = seed == 1U ? 0.5 : 0.0;
+    expect_whole_ground_within(exact_terrain_of(scene), places, "map");
   }
 }
 

@@ -27,7 +27,7 @@ TEST(ManualJson, DescribesEveryParameterAsPromised) {
     EXPECT_EQ(item.at("max").is_number(), is_number) << item;
     EXPECT_EQ(item.at("default").is_number(), is_number) << item;
     EXPECT_EQ(item.at("default").is_boolean(), type == "bool") << item;
-    EXPECT_EQ(item.at("default").is_string(), type == "color" || type == "choice") << item;
+    EXPECT_EQ(item.at("default").is_string(), type == "color" || type == "choice" || type == "file") << item;
     EXPECT_EQ(item.at("choices").empty(), type != "choice") << item;
     EXPECT_EQ(item.at("unit").get<std::string>(), parameter->unit);
     EXPECT_EQ(item.at("help").get<std::string>(), parameter->help);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/file.hpp"
+#include "base/image.hpp"
 #include "scene/json.hpp"
 #include "scene/presets.hpp"
 #include "scene/quality_path.hpp"
@@ -54,6 +55,28 @@ TEST(SceneOptions, TakeAPresetOfQualityBeforeTheSettings) {
   expected.quality.antialias = true;
   EXPECT_EQ(scene, expected);
   EXPECT_EQ(parse({"--quality", "best"}).issues.count(), 1u);
+}
+
+TEST(SceneOptions, ReadTheMapThatASceneNamesBesideItsFile) {
+  Image map(32, 16, 1);
+  ASSERT_TRUE(write_file_whole(testing::TempDir() + "terrella_options_map.pfm", encode_pfm(map)));
+  const std::string file = scene_file(R"({"terrain": {"map": "terrella_options_map.pfm"}})");
+  const SceneChoice beside = parse({"--scene", file});
+  EXPECT_EQ(beside.issues.sentences(), std::vector<std::string>{});
+  EXPECT_EQ(beside.document.scene.terrain.map.name, "terrella_options_map.pfm");
+  ASSERT_TRUE(beside.document.scene.terrain.map.map);
+  EXPECT_EQ(beside.document.scene.terrain.map.map->highest(), 0.0F);
+  EXPECT_TRUE(parse({"--set", "terrain.map=" + testing::TempDir() + "terrella_options_map.pfm"}).issues.empty());
+}
+
+TEST(SceneOptions, SayWhatIsWrongWithAMap) {
+  EXPECT_EQ(parse({"--set", "terrain.map=nowhere.png"}).issues.sentences(),
+            std::vector<std::string>{"terrain.map: nowhere.png: cannot be read: No such file or directory."});
+  const std::string file = scene_file("{}");
+  EXPECT_EQ(parse({"--set", "terrain.map=" + file}).issues.sentences(),
+            std::vector<std::string>{"terrain.map: " + file +
+                                     ": is neither a PNG nor a portable float map (PFM), by its first bytes."});
+  EXPECT_EQ(parse({"--set", "terrain.map=" + std::string(201, 'a')}).issues.count(), 1U);
 }
 
 TEST(SceneOptions, TakeNegativeNumbers) {

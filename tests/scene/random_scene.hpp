@@ -28,6 +28,17 @@ inline double random_number(const Parameter& parameter, Random& random) {
   return std::clamp(value, parameter.min, parameter.max);
 }
 
+// Of a file: with all that texts have to escape.
+inline std::string random_name(Random& random) {
+  constexpr std::string_view kPieces[] = {"earth", " ",  "&", "#",      "%41", "=",   "+",
+                                          "\"",    "\\", "/", "\u00e9", "?",   ".png"};
+  std::string name;
+  for (int i = random_int(random, 0, 5); i > 0; --i) {
+    name += kPieces[static_cast<std::size_t>(random_int(random, 0, static_cast<int>(std::size(kPieces)) - 1))];
+  }
+  return name;
+}
+
 inline void randomize(Scene& scene, const Parameter& parameter, Random& random) {
   const Field field = parameter.field(scene);
   if (auto* const* number = std::get_if<double*>(&field)) **number = random_number(parameter, random);
@@ -38,6 +49,7 @@ inline void randomize(Scene& scene, const Parameter& parameter, Random& random) 
   if (auto* const* whole = std::get_if<int*>(&field)) {
     **whole = random_int(random, static_cast<int>(parameter.min), static_cast<int>(parameter.max));
   }
+  if (auto* const* file = std::get_if<MapFile*>(&field)) **file = {random_name(random), nullptr};
 }
 
 // Starts from any preset and changes anything from nothing to everything.

@@ -225,13 +225,35 @@ export class Planet {
     this.#canvas.addEventListener('drop', async event => {
       event.preventDefault();
       const file = event.dataTransfer.files[0];
-      if (file) this.#loadFile(await file.text());
+      if (file) this.#loadFile(file);
     });
   }
 
-  #loadFile(text) {
-    this.#note(this.#sentences('load_json', text));
+  async #loadFile(file) {
+    if (/\.pfm$/i.test(file.name)) this.#takeMap(file.name, new Uint8Array(await file.arrayBuffer()));
+    else if (file.type.startsWith('image/')) await this.#loadPicture(file);
+    else this.#note(this.#sentences('load_json', await file.text()));
     this.#wake();
+  }
+  // As the browser reads it: 8 bits, heights and no colours.
+  async #loadPicture(file) {
+    const asItStands = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' };
+    const picture = await createImageBitmap(file, asItStands).catch(() => null);
+    if (!picture) return this.#note([`${file.name}: is no picture that this browser can read.`]);
+    const { width, height } = picture;
+    const canvas = document.createElement('canvas');
+    Object.assign(canvas, { width, height });
+    const context = canvas.getContext('2d');
+    context.drawImage(picture, 0, 0);
+    this.#takeMap(file.name, context.getImageData(0, 0, width, height).data, width, height);
+  }
+  #takeMap(name, bytes, width = bytes.length, height = 0) {
+    const at = this.#program._malloc(bytes.length);
+    if (!at) return this.#note([`${name}: is larger than the memory of this page.`]);
+    this.#program.HEAPU8.set(bytes, at);
+    const sentence = this.#call('take_map', ['string', 'number', 'number', 'number'], [name, at, width, height], 'string');
+    this.#program._free(at);
+    if (sentence) this.#note([sentence]);
   }
   #note(sentences) { for (const sentence of sentences) this.#call('add_notice', ['string'], [sentence]); }
 
@@ -246,8 +268,8 @@ export class Planet {
       onOpenJson: () => {
         const input = document.createElement('input');
         input.type = 'file';
-        input.accept = '.json,application/json';
-        input.onchange = async () => { if (input.files[0]) this.#loadFile(await input.files[0].text()); };
+        input.accept = '.json,application/json,image/png,.pfm';
+        input.onchange = () => { if (input.files[0]) this.#loadFile(input.files[0]); };
         input.click();
       },
       // Not on an iPhone, nor in a frame that may not.

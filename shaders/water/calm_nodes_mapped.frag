@@ -1,0 +1,4 @@
+// A calm sea whose ripples are too small to be seen, over a ground of nodes with continents of a map.
+#include "smooth_water.glsl"
+#include "node_map.glsl"
+#include "shore_nodes.glsl"

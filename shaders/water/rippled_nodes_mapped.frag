@@ -1,0 +1,4 @@
+// A calm sea with ripples, over a ground of nodes with continents of a map.
+#include "rippled_water.glsl"
+#include "node_map.glsl"
+#include "shore_nodes.glsl"
