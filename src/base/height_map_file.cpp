@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 
 #include "base/height_map.hpp"
@@ -50,7 +50,9 @@ float float_at(std::string_view bytes, std::size_t at, bool big_endian) {
     const std::uint32_t byte = static_cast<unsigned char>(bytes[at + i]);
     bits |= byte << 8U * (big_endian ? 3 - i : i);
   }
-  return std::bit_cast<float>(bits);
+  float value = 0.0F;
+  std::memcpy(&value, &bits, sizeof value);  // std::bit_cast is missing where Emscripten is Debian's
+  return value;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ describe('the page', () => {
     assert.deepEqual(page.wrong, []);
     assert.deepEqual(site.server.log.missing, []);
     assert.ok(site.server.log.requests <= 8, `${site.server.log.requests} requests`);
-    assert.ok(site.server.log.gzipped <= 310_000, `${site.server.log.gzipped} bytes gzipped`);
+    assert.ok(site.server.log.gzipped <= 338_000, `${site.server.log.gzipped} bytes gzipped`);
     const seen = await look(page);
     assert.ok(seen.brightness > 0.03 && seen.colors > 500, JSON.stringify(seen));
     await page.context().close();
