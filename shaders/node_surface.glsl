@@ -26,8 +26,7 @@ struct RidgesAdded {
 };
 
 RidgesAdded ridges_added(float added) {
-  int first = terrain_range_layer;
-  float total = pow(terrain_persistence, float(first)) * amplitude_sum(terrain_persistence, terrain_octaves - first);
+  float total = amplitude_sum(terrain_persistence, terrain_octaves) - amplitude_sum(terrain_persistence, terrain_range_layer);
   // Vertices keep no mean of their own: that of all ridges. They can sink no lower than to where there are none.
   float part = max(added / (layer_mean(true) * max(total, 1.0e-6)), -1.0);
   return RidgesAdded(added * (1.0 + part + part * part / 3.0), (1.0 + part) * (1.0 + part));

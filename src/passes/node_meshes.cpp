@@ -116,7 +116,7 @@ bool NodeMeshes::make(const Scene& scene, const GridNode& node) {
 
 void NodeMeshes::pack(const Frame& frame) {
   const auto& terrain = frame.scene.terrain;
-  const double sea = water_radius(frame.scene);
+  const double sea = has_water(frame.scene) ? water_radius(frame.scene) : 1.0;  // as the frame's block has it
   instances_.clear();
   const int beyond_map = first_layer(frame.scene);
   const auto add = [&](const DrawnNode& drawn) {

@@ -246,6 +246,21 @@ TEST_P(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
   EXPECT_EQ(at_once.read_light(), bit_by_bit.read_light());
 }
 
+// Bands of height begin at the lowest ground where there is no water.
+TEST_P(NodesInPictures, KnowNoLevelOfWaterWhereThereIsNone) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Scene scene = bare_highlands(GetParam());
+  scene.water.model = 0;
+  const auto light = [&](double level) {
+    scene.water.level = level;
+    Renderer renderer;
+    renderer.draw(scene, small_view(), still());
+    return renderer.read_light();
+  };
+  EXPECT_EQ(light(0.0), light(2000.0));
+}
+
 // While a colour is dragged, nothing is made of what only heights depend on.
 TEST_P(NodesInPictures, AreKeptWhileColoursChange) {
   const auto context = EglContext::make(Api::core);
