@@ -255,7 +255,7 @@ TEST_P(NodesInPictures, KnowNoLevelOfWaterWhereThereIsNone) {
   const auto light = [&](double level) {
     scene.water.level = level;
     Renderer renderer;
-    renderer.draw(scene, small_view(), still());
+    renderer.draw(scene, small_view(), {Channel::color, Effort::complete, true});
     return renderer.read_light();
   };
   EXPECT_EQ(light(0.0), light(2000.0));
