@@ -19,7 +19,6 @@ class NodeCache {
     std::uint64_t used = 0;      // the frame that used it last
     std::uint64_t leaf = 0;      // the frame that drew it undivided last
     std::uint64_t as_above = 0;  // the frame that drew it in the shape of the level above last
-    std::uint64_t hidden = 0;    // the frame in which nearer nodes hid all that may ever be drawn of it last
   };
 
   // capacity: slots, > 0.
@@ -40,8 +39,6 @@ class NodeCache {
   }
   // Whether it is drawn so, and in the shape of the level above.
   [[nodiscard]] bool is_as_above(int slot) const { return entries_[static_cast<std::size_t>(slot)].as_above == now_; }
-  void hide(int slot) { entries_[static_cast<std::size_t>(slot)].hidden = now_; }
-  [[nodiscard]] bool is_hidden(int slot) const { return entries_[static_cast<std::size_t>(slot)].hidden == now_; }
   [[nodiscard]] bool is_leaf(int slot) const { return entries_[static_cast<std::size_t>(slot)].leaf == now_; }
 
   // Takes in a node that is not there, in place of the one that was not used for longest; returns its slot, or nothing

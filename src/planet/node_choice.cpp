@@ -30,8 +30,7 @@ class Choice {
       const NodeDistance distance = distance_of(cache_.at(slot).frame.outline, eye_, ranges_.reach * edge);
       const double wanted = node.level < ranges_.deepest ? ranges_.split * edge : 0.0;
       bool splits = distance.to_split < wanted;
-      if (distance.to_split < look_ahead * wanted)
-        splits = has_quarters(node, slot, distance.to_split, !splits) && splits;
+      if (distance.to_split < look_ahead * wanted) splits = has_quarters(node, distance.to_split, !splits) && splits;
       splits = splits && !has_coarser_around(node);
       if (splits) {
         add_quarters(node);
@@ -67,15 +66,15 @@ class Choice {
   }
 
   // Asks for those that are not there.
-  bool has_quarters(const GridNode& node, int slot, double distance, bool is_ahead) {
+  bool has_quarters(const GridNode& node, double distance, bool is_ahead) {
     bool all = true;
     for (const GridNode& child : grid_.children_of(node)) {
-      const int of_child = cache_.find(child);
-      if (of_child < 0) {
+      const int slot = cache_.find(child);
+      if (slot < 0) {
         all = false;
-        choice_.missing.push_back({child, distance, slot, is_ahead});
+        choice_.missing.push_back({child, distance, is_ahead});
       } else if (!is_ahead) {
-        cache_.use(of_child);  // what is only ahead gives way where there is no room
+        cache_.use(slot);  // what is only ahead gives way where there is no room
       }
     }
     return all;

@@ -42,7 +42,6 @@ inline unsigned list_of(const NodePatch& patch, const DrawnNode& drawn) {
 struct MissingNode {
   GridNode node;
   double distance;  // of the node that it is a quarter of
-  int above;        // that node's slot
   bool is_ahead;    // not needed yet
 };
 
@@ -50,11 +49,11 @@ struct MissingNode {
 struct NodeSilhouette {
   DrawnNode drawn;
   bool is_known = false;
-  double nearest = 0.0;                              // from below the eye, as a chord, here and below
-  double from = 0.0, to = 0.0;                       // azimuths of its corners
-  double widened = 0.0;                              // by how much its sides may reach beyond these
-  double top = 0.0, bottom = 0.0, top_of_all = 0.0;  // tangents of elevations
-  double hidden_from = 0.0;                          // from here on it hides all that is no higher than its bottom
+  double nearest = 0.0;            // from below the eye, as a chord, here and below
+  double from = 0.0, to = 0.0;     // azimuths of its corners
+  double widened = 0.0;            // by how much its sides may reach beyond these
+  double top = 0.0, bottom = 0.0;  // tangents of elevations
+  double hidden_from = 0.0;        // from here on it hides all that is no higher than its bottom
 };
 
 // Room for a frame's work, so that none is allocated again.

@@ -107,9 +107,9 @@ class Skyline {
   std::array<Column, count> columns_{};
 };
 
-// Radii of a node's highest and lowest that are drawn, and of the highest that may ever be.
+// Radii of a node's highest and lowest that are drawn.
 struct Radii {
-  double top, bottom, top_of_all;
+  double top, bottom;
 };
 
 // As the eye sees it.
@@ -134,7 +134,6 @@ NodeSilhouette silhouette_of(const Eye& eye, const NodeOutline& outline, const R
   seen.to = middle + beside.at(to);
   seen.widened = widened;
   seen.top = eye.highest(radii.top, seen.nearest, farthest);
-  seen.top_of_all = eye.highest(radii.top_of_all, seen.nearest, farthest);
   // Between the corners where it begins and ends the node is nowhere further from the line between them than its sides
   // bulge.
   const glm::dvec3 &a = outline.corners.at(from), &b = outline.corners.at(to);
@@ -147,7 +146,8 @@ NodeSilhouette silhouette_of(const Eye& eye, const NodeOutline& outline, const R
 
 }  // namespace
 
-void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, NodeCache& cache, NodeChoice& choice) {
+void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, const NodeCache& cache,
+                      NodeChoice& choice) {
   const Eye eye(sight.eye);
   auto& silhouettes = choice.silhouettes;
   silhouettes.clear();
@@ -159,8 +159,7 @@ void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, N
     const double sea = sight.top_of_sea(frame.outline);
     NodeSilhouette seen = silhouette_of(
         eye, frame.outline,
-        {std::max(1.0 + frame.shown.highest, sea), (1.0 + frame.shown.lowest) * (1.0 - 0.5 * apart * apart),
-         std::max(1.0 + frame.heights.highest, sea)});
+        {std::max(1.0 + frame.shown.highest, sea), (1.0 + frame.shown.lowest) * (1.0 - 0.5 * apart * apart)});
     seen.drawn = drawn;
     silhouettes.push_back(seen);
   }
@@ -183,16 +182,9 @@ void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, N
       const NodeSilhouette& before = silhouettes[hiding[next].second];
       skyline.add(before.from, before.to, before.bottom);
     }
-    const auto hides = [&](double elevation) {
-      return seen.is_known && skyline.hides(seen.from - seen.widened, seen.to + seen.widened, elevation);
-    };
-    if (!hides(seen.top)) {
+    if (!seen.is_known || !skyline.hides(seen.from - seen.widened, seen.to + seen.widened, seen.top))
       choice.drawn.push_back(seen.drawn);
-    } else if (hides(seen.top_of_all)) {
-      cache.hide(seen.drawn.slot);
-    }
   }
-  std::erase_if(choice.missing, [&](const MissingNode& missing) { return cache.is_hidden(missing.above); });
 }
 
 }  // namespace terrella
