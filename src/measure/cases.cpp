@@ -52,6 +52,9 @@ bool is_about_cost(const Parameter& parameter) {
          parameter.path == "quality.pixel_error";
 }
 
+// Nor are there files to vary among.
+bool is_left_out(const Parameter& parameter) { return is_about_cost(parameter) || parameter.type == Type::File; }
+
 Scene cheap_scene(const char* preset = "temperate") {
   Scene scene = find_preset(preset)->scene;
   make_cheap(scene);
@@ -79,7 +82,7 @@ void add_pairs(std::vector<Case>& cases) {
   std::vector<int> levels;
   const Scene start = cheap_scene();
   for (const Parameter& parameter : parameters()) {
-    if (is_about_cost(parameter)) continue;
+    if (is_left_out(parameter)) continue;
     varied.push_back(&parameter);
     values.push_back(ends_of(parameter));
     if (parameter.type == Type::Float || parameter.type == Type::Int) values.back().push_back(parameter.get(start));
@@ -120,7 +123,7 @@ void add_random(std::vector<Case>& cases, int count) {
   for (int i = 0; i < count; ++i) {
     Scene scene = cheap_scene();
     for (const Parameter& parameter : parameters()) {
-      if (is_about_cost(parameter) || random() % 3U != 0U) continue;
+      if (is_left_out(parameter) || random() % 3U != 0U) continue;
       assign(scene, parameter, random_value(parameter, random));
     }
     const double seconds = std::pow(10.0, 9.0 * uniform(random));
