@@ -31,11 +31,11 @@ void CameraControl::set_mode(CameraMode mode) {
   stop();
 }
 
-void CameraControl::fly_to(const Scene& scene, const Place& place) {
+void CameraControl::fly_to(const Scene& scene, const Destination& there) {
   stop();
   std::optional<double> clearance;
   if (mode_ == CameraMode::walk) clearance = eye_height(scene);
-  fly_to_.start(scene, view_of_place(scene, place, clearance));
+  fly_to_.start(scene, view_of_place(scene, there, clearance));
 }
 
 void CameraControl::hold() {

@@ -23,7 +23,7 @@ class CameraControl {
   // Flies to a place within a few seconds, whichever way hands move the camera, and looks there as it does here: as low
   // over the ground, the view lies as much nearer to the horizon. On foot, where no altitude is given, one comes to
   // stand. Any hand on the camera, and any other change of the scene, ends it where it is.
-  void fly_to(const Scene& scene, const Place& place);
+  void fly_to(const Scene& scene, const Destination& there);
 
   // A hand takes hold: in orbit the planet stands.
   void hold();

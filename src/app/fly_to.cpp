@@ -13,15 +13,15 @@ constexpr double shortest = 1.0, longest = 8.0;  // s
 
 }  // namespace
 
-Camera view_of_place(const Scene& scene, const Place& place, std::optional<double> clearance) {
+Camera view_of_place(const Scene& scene, const Destination& there, std::optional<double> clearance) {
   const double radius = scene.planet.radius, here = pose_of(scene, {}).clearance;
   Camera camera = scene.camera;
-  camera.latitude = place.latitude;
-  camera.longitude = place.longitude;
+  camera.latitude = there.latitude;
+  camera.longitude = there.longitude;
   camera.roll = 0.0;
-  const double surface = surface_radius(scene, direction_of(place.latitude, place.longitude));
+  const double surface = surface_radius(scene, direction_of(there.latitude, there.longitude));
   double wanted = clearance.value_or(here);
-  if (place.altitude) wanted = 1.0 + *place.altitude / radius - surface;
+  if (there.altitude) wanted = 1.0 + *there.altitude / radius - surface;
   wanted = std::max(wanted, least_clearance(scene));
   camera.altitude = std::max(0.0, (surface + wanted - 1.0) * radius);
   camera.pitch = std::clamp(camera.pitch + natural_pitch(wanted) - natural_pitch(here), -90.0, 90.0);

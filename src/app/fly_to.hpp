@@ -5,18 +5,14 @@
 
 #include "planet/flight.hpp"
 #include "planet/pose.hpp"
+#include "scene/destination.hpp"
 #include "scene/scene.hpp"
 
 namespace terrella {
 
-struct Place {
-  double latitude, longitude;      // degrees
-  std::optional<double> altitude;  // m over the sphere; nothing: by the clearance
-};
-
 // The scene's camera as it would look around at a place: with the same heading, level, its pitch changed as on coming
-// nearer in orbit. clearance: over the ground there, planet radii, where the place has no altitude; nothing: as here.
-Camera view_of_place(const Scene& scene, const Place& place, std::optional<double> clearance);
+// nearer in orbit. clearance: over the ground there, planet radii, where it has no altitude; nothing: as here.
+Camera view_of_place(const Scene& scene, const Destination& there, std::optional<double> clearance);
 
 class FlyTo {
  public:

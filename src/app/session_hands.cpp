@@ -201,7 +201,7 @@ void Session::set_camera_mode(CameraMode mode) {
 
 void Session::fly_to(const Destination& there) {
   history_.begin();
-  camera_.fly_to(document_.scene, {there.latitude, there.longitude, there.altitude});
+  camera_.fly_to(document_.scene, there);
   panel_frames_ = 3;
 }
 

@@ -34,6 +34,11 @@ HeightTexture::HeightTexture(const HeightMap& map) : serial_(map.serial()) {
   memory_.set(std::int64_t{width} * rows * static_cast<std::int64_t>(sizeof(float)));
 }
 
+void HeightTexture::keep(std::optional<HeightTexture>& texture, const HeightMap* map) {
+  if (map == nullptr) return texture.reset();
+  if (!texture || texture->serial_ != map->serial()) texture.emplace(*map);
+}
+
 void HeightTexture::bind(int unit) const {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_2D, texture_.name());

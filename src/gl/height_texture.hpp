@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "base/height_map.hpp"
 #include "gl/handle.hpp"
@@ -14,13 +15,14 @@ class HeightTexture {
   // With all levels of the map but those that the driver's textures have no room for.
   explicit HeightTexture(const HeightMap& map);
 
+  // Makes the texture of a map, unless it is there; of none, null, there is none.
+  static void keep(std::optional<HeightTexture>& texture, const HeightMap* map);
+
   void bind(int unit) const;
-  // Of the map (HeightMap::serial).
-  [[nodiscard]] std::uint64_t serial() const { return serial_; }
 
  private:
   TextureHandle texture_;
-  std::uint64_t serial_;
+  std::uint64_t serial_;  // of the map
   Holding memory_;
   CountedTexture counted_;
 };

@@ -76,7 +76,7 @@ std::vector<DrawnNode> NodePicture::hidden() const {
 bool NodePicture::shows(NodeLayer layer, const DrawnNode& drawn) const {
   const NodeCache::Entry& entry = cache_.at(drawn.slot);
   const double spacing = grid_->spacing(entry.node.level, patch_.cells);
-  return terrella::shows(layer, entry.frame, spacing, scene_, needs_, pose_);
+  return terrella::shows(layer, entry.frame, spacing, sight_);
 }
 
 // As in shaders/node_vertex.glsl.

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "formulas/formulas.hpp"
+
 namespace terrella {
 namespace {
 
@@ -16,17 +18,17 @@ constexpr int columns = 4096;
 }  // namespace
 
 GroundSkyline::GroundSkyline(const glm::dvec3& eye)
-    : eye_(eye), up_(glm::normalize(eye)), highest_(columns, -std::numeric_limits<double>::infinity()) {
-  const glm::dvec3 axis = std::abs(up_.z) < 0.7 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
-  east_ = glm::normalize(glm::cross(axis, up_));
-  north_ = glm::cross(up_, east_);
-}
+    : eye_(eye),
+      up_(glm::normalize(eye)),
+      along_(f64::perpendicular(up_)),
+      across_(glm::cross(up_, along_)),
+      highest_(columns, -std::numeric_limits<double>::infinity()) {}
 
 GroundSkyline::Sight GroundSkyline::sight_of(const glm::dvec3& place) const {
   const glm::dvec3 from_eye = place - eye_;
-  const double east = glm::dot(from_eye, east_), north = glm::dot(from_eye, north_);
-  const double turn = 0.5 + 0.5 * std::atan2(north, east) / std::numbers::pi;
-  return {turn * columns, glm::dot(from_eye, up_) / std::max(std::hypot(east, north), 1e-300)};
+  const double x = glm::dot(from_eye, along_), y = glm::dot(from_eye, across_);
+  const double turn = 0.5 + 0.5 * std::atan2(y, x) / std::numbers::pi;
+  return {turn * columns, glm::dot(from_eye, up_) / std::max(std::hypot(x, y), 1e-300)};
 }
 
 bool GroundSkyline::hides(const glm::dvec3& place) const {

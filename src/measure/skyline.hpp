@@ -27,7 +27,7 @@ class GroundSkyline {
   [[nodiscard]] Sight sight_of(const glm::dvec3& place) const;
   void add_edge(Sight a, Sight b);
 
-  glm::dvec3 eye_, up_, east_, north_;
+  glm::dvec3 eye_, up_, along_, across_;
   std::vector<double> highest_;  // of each column
 };
 

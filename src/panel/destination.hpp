@@ -1,20 +1,13 @@
 // Where to fly, as people type it: "47.5, 8.2, 3 km".
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "scene/destination.hpp"
+
 namespace terrella {
-
-// A place to fly to.
-struct Destination {
-  double latitude = 0.0, longitude = 0.0;  // degrees, within the ranges of the camera's
-  std::optional<double> altitude;          // m over the sphere; nothing: as high over the ground as now
-
-  bool operator==(const Destination&) const = default;
-};
 
 // Latitude, longitude and, if one likes, altitude, with commas (or semicolons) between them. N, S, E and W are
 // understood, and units of length as read_quantity does; altitude: m, in whose unit a bare number counts. A sentence

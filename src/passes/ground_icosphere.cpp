@@ -109,9 +109,8 @@ void GroundIcosphere::finish_fine(const Frame& frame) {
 }
 
 void GroundIcosphere::bind_heights(const HeightMap* map) {
-  if (map == nullptr) return heights_.reset();
-  if (!heights_ || heights_->serial() != map->serial()) heights_.emplace(*map);
-  heights_->bind(gl::unit_heights);
+  gl::HeightTexture::keep(heights_, map);
+  if (heights_) heights_->bind(gl::unit_heights);
 }
 
 void GroundIcosphere::bake(const Frame& frame, CubeBake& bake, gl::CubeMap& map, int rows) {

@@ -35,12 +35,7 @@ NodeMeshes::NodeMeshes() : cache_(node_slots) {}
 void NodeMeshes::start_anew(const Frame& frame) {
   terrain_ = exact_terrain_of(frame.scene);
   cache_.clear();
-  const HeightMap* map = terrain_->map.map;
-  if (map == nullptr) {
-    heights_.reset();
-  } else if (!heights_ || heights_->serial() != map->serial()) {
-    heights_.emplace(*map);
-  }
+  gl::HeightTexture::keep(heights_, terrain_->map.map);
 }
 
 void NodeMeshes::make_room(int cells) {
@@ -75,21 +70,21 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
   eye_ = eye_over(*terrain_, frame.levels_for != nullptr ? *frame.levels_for : frame.pose);
-  choose(frame);
+  sight_ = sight_of_nodes(frame.scene, frame.needs, frame.pose, frame.view);
+  choose();
   const auto start = std::chrono::steady_clock::now();
   const double time = making == Making::in_time ? time_for(frame.effort) : 0.0;
   // A whole level of detail may be missing at each turn.
   for (int turn = 0; turn <= 2 * deepest_level && !settled() && milliseconds_since(start) < time; ++turn) {
     make_missing(frame, time - milliseconds_since(start));
-    choose(frame);
+    choose();
   }
   pack(frame);
 }
 
-void NodeMeshes::choose(const Frame& frame) {
+void NodeMeshes::choose() {
   cache_.begin_frame();
-  const NodeSight sight = sight_of_nodes(frame.scene, frame.needs, frame.pose, frame.view);
-  choose_nodes(*grid_, sight, eye_, ranges_, cache_, choice_);
+  choose_nodes(*grid_, sight_, eye_, ranges_, cache_, choice_);
 }
 
 void NodeMeshes::make_missing(const Frame& frame, double time) {
@@ -135,7 +130,7 @@ void NodeMeshes::pack(const Frame& frame) {
   const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
     const double spacing = grid_->spacing(entry.node.level, patch_.cells);
-    return shows(layer, entry.frame, spacing, frame.scene, frame.needs, frame.pose);
+    return shows(layer, entry.frame, spacing, sight_);
   };
   for (const NodeLayer layer : {NodeLayer::ground, NodeLayer::sea}) {
     for (unsigned list = 0; list < patch_.lists(); ++list) {

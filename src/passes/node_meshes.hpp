@@ -45,7 +45,7 @@ class NodeMeshes {
   void start_anew(const Frame& frame);
   // For the grid's nodes of so many cells: textures, and lists of triangles.
   void make_room(int cells);
-  void choose(const Frame& frame);
+  void choose();
   // Makes those that are missing until they or the time (ms) come to an end.
   void make_missing(const Frame& frame, double time);
   // Returns whether there was room.
@@ -60,6 +60,7 @@ class NodeMeshes {
   NodeCache cache_;
   NodeChoice choice_;
   NodeEye eye_;
+  NodeSight sight_;
   NodeVertices vertices_;
   std::shared_ptr<const NodeGrid> grid_;
   NodePatch patch_;

@@ -22,15 +22,15 @@ double azimuth_of(const glm::dvec2& v) {
 // Of the sight of an eye that stands upright on the sphere.
 class Eye {
  public:
-  explicit Eye(const glm::dvec3& place) : radius_(glm::length(place)), up_(place / radius_) {
-    const glm::dvec3 axis = std::abs(up_.z) < 0.7 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
-    east_ = glm::normalize(glm::cross(axis, up_));
-    north_ = glm::cross(up_, east_);
-  }
+  explicit Eye(const glm::dvec3& place)
+      : radius_(glm::length(place)),
+        up_(place / radius_),
+        along_(f64::perpendicular(up_)),
+        across_(glm::cross(up_, along_)) {}
 
   [[nodiscard]] const glm::dvec3& up() const { return up_; }
   [[nodiscard]] double azimuth(const glm::dvec3& direction) const {
-    return azimuth_of({glm::dot(direction, east_), glm::dot(direction, north_)});
+    return azimuth_of({glm::dot(direction, along_), glm::dot(direction, across_)});
   }
 
   // Tangent of how high a place of a radius stands over the level, a chord away from the direction of the eye.
@@ -52,7 +52,7 @@ class Eye {
 
  private:
   double radius_;
-  glm::dvec3 up_, east_, north_;
+  glm::dvec3 up_, along_, across_;
 };
 
 // How high ground that is known so far stands in each direction: what lies behind it and nowhere higher is hidden.
@@ -129,10 +129,9 @@ NodeSilhouette silhouette_of(const Eye& eye, const NodeOutline& outline, const R
     if (beside.at(i) < beside.at(from)) from = i;
     if (beside.at(i) > beside.at(to)) to = i;
   }
-  const double widened = 1.1 * outline.bulge / seen.nearest;
   seen.from = middle + beside.at(from);
   seen.to = middle + beside.at(to);
-  seen.widened = widened;
+  seen.widened = 1.1 * outline.bulge / seen.nearest;
   seen.top = eye.highest(radii.top, seen.nearest, farthest);
   // Between the corners where it begins and ends the node is nowhere further from the line between them than its sides
   // bulge.

@@ -28,17 +28,14 @@ NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pos
   return sight;
 }
 
-bool shows(NodeLayer layer, const NodeFrame& node, double spacing, const Scene& scene, const Needs& needs,
-           const Pose& pose) {
-  const bool water = needs.water != Water::none;
-  const double sea = water_radius(scene);
+bool shows(NodeLayer layer, const NodeFrame& node, double spacing, const NodeSight& sight) {
+  const bool water = sight.sea > 0.0;
   if (layer == NodeLayer::ground) {
-    const double lowest_sea = sea * (1.0 - spacing * spacing / 8.0);
-    return !water || glm::length(pose.eye) <= sea || 1.0 + node.heights.highest >= lowest_sea;
+    const double lowest_sea = sight.sea * (1.0 - spacing * spacing / 8.0);
+    return !water || glm::length(sight.eye) <= sight.sea || 1.0 + node.heights.highest >= lowest_sea;
   }
-  const double away = glm::distance(pose.eye, node.outline.middle) + node.outline.half_width;
   // By what is drawn: sea has the same vertices, only on its sphere.
-  return water && 1.0 + node.shown.lowest <= sea + std::min(needs.water_lift * away, needs.water_most_lift);
+  return water && 1.0 + node.shown.lowest <= sight.top_of_sea(node.outline);
 }
 
 }  // namespace terrella

@@ -16,8 +16,7 @@ NodeRanges ranges_of(const NodeGrid& grid, const Needs& needs);
 NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pose, const View& view);
 
 // Whether a node has anything to show of a layer: ground that rises from the sea, or sea over its ground.
-// spacing: of its vertices (NodeGrid::spacing).
-bool shows(NodeLayer layer, const NodeFrame& node, double spacing, const Scene& scene, const Needs& needs,
-           const Pose& pose);
+// spacing: of its vertices (NodeGrid::spacing). sight: as of sight_of_nodes.
+bool shows(NodeLayer layer, const NodeFrame& node, double spacing, const NodeSight& sight);
 
 }  // namespace terrella

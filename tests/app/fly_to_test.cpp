@@ -25,7 +25,7 @@ TEST(FlyTo, ArrivesThereWithinSecondsFromAnywhere) {
       scene.camera.roll = places.between(-180.0, 180.0);
       test::put_over_ground(scene, std::pow(10.0, places.between(-3.0, 1.0)));
       const double altitude = radius * std::pow(10.0, places.between(-1.0, 1.0));
-      const Place place = {places.between(-90.0, 90.0), places.between(-180.0, 180.0), altitude};
+      const Destination place = {places.between(-90.0, 90.0), places.between(-180.0, 180.0), altitude};
       CameraControl control;
       control.fly_to(scene, place);
       const double seconds = seconds_of(control, scene, 1.0 / 60.0);
@@ -48,8 +48,8 @@ TEST(FlyTo, NothingJumpsOnTheWay) {
     for (int i = 0; i < 4; ++i) {
       Held held(scene, CameraMode::orbit);
       const double clearance = std::pow(10.0, places.between(-5.0, 0.5));
-      const Place place = {places.between(-90.0, 90.0), places.between(-180.0, 180.0),
-                           (1e-3 + clearance) * scene.planet.radius};
+      const Destination place = {places.between(-90.0, 90.0), places.between(-180.0, 180.0),
+                                 (1e-3 + clearance) * scene.planet.radius};
       held.control.fly_to(scene, place);
       Pose before = pose_of(scene, {});
       while (held.control.moving()) {

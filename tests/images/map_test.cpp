@@ -95,7 +95,7 @@ class MapOfRealSize : public testing::TestWithParam<Place> {};
 
 TEST_P(MapOfRealSize, IsNearTheReferenceOnEveryGround) {
   const Place& place = GetParam();
-  for (const Ground ground : {Ground::quadtree, Ground::triangle_lod, Ground::persistent_grid}) {
+  for (const Ground ground : ground_models()) {
     expect_near_the_reference(with_ground(mapped(6.36e6, place), ground), place, name_of(ground).data());
   }
 }

@@ -4,6 +4,7 @@
 
 #include "formulas/formulas.hpp"
 #include "height_maps.hpp"
+#include "laws/hills.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
@@ -123,25 +124,10 @@ TEST(HeightMap, TendsToItsMeanAsSamplesMoveApart) {
   EXPECT_GT(map->unseen_variance(0.1), map->unseen_variance(0.03));
 }
 
+// Ranges are asked for, which a map has of its own.
 f64::Terrain hills_on(const SharedHeightMap& map) {
-  f64::Terrain t;
-  t.height = 0.15;
-  t.frequency = 1.3;
-  t.octaves = 8;
-  t.persistence = 0.5;
-  t.lacunarity = 2.03;
-  t.power = 2.1;
-  t.ridged = false;
-  t.sharpness = 14.0;
+  f64::Terrain t = test::hills();
   t.ranges = {0.5, 1};
-  t.seed = 3U;
-  t.craters.depth = 0.0;
-  t.craters.frequency = 3.0;
-  t.craters.sizes = 5;
-  t.craters.seed = 3U;
-  t.ice.sea = 0.0;
-  t.ice.sine = 2.0;
-  t.ice.seed = 3U;
   t.map = texels_of(map);
   return t;
 }
