@@ -47,7 +47,8 @@ void take_row(Png& png) {
   }
 }
 
-void read_rows(png_structp reader, png_infop info, std::string_view name, Png& png) {
+// Not inlined into its caller, whose own objects must stay as they are when the library jumps.
+[[gnu::noinline]] void read_rows(png_structp reader, png_infop info, std::string_view name, Png& png) {
   png_read_info(reader, info);
   png.width = png_get_image_width(reader, info);
   png.height = png_get_image_height(reader, info);
