@@ -19,17 +19,21 @@ float layer_rise(GroundAt ground) {
   return sqrt(rise * rise + together + steeper * ridges * ridges) * amplitude_sum(terrain_persistence, terrain_octaves);
 }
 
-// What pixels add to the ridges of ranges, whose mean is raised to the third power: to the ground by how much, for each unit
-// of it that the vertices' slope tells, and how it changes with it. added: to the sum of the ridges' layers.
-struct RidgesAdded {
-  float height, slope;
-};
-
-RidgesAdded ridges_added(float added) {
-  float total = amplitude_sum(terrain_persistence, terrain_octaves) - amplitude_sum(terrain_persistence, terrain_range_layer);
-  // Vertices keep no mean of their own: that of all ridges. They can sink no lower than to where there are none.
-  float part = max(added / (layer_mean(true) * max(total, 1.0e-6)), -1.0);
-  return RidgesAdded(added * (1.0 + part + part * part / 3.0), (1.0 + part) * (1.0 + part));
+// Craters that the vertices can't hold and a pixel can, added to the mean of all layers and its gradient. They are told
+// from the direction itself: where pixels come near to what a float knows of it, the vertices hold them all.
+void add_finer_craters(vec3 up, float footprint, inout float mean, inout vec3 gradient) {
+  if (terrain_craters <= 0.0 || terrain_height <= 0.0) return;
+  float dug = 0.0, frequency = terrain_crater_frequency;
+  vec3 slope = vec3(0.0);
+  for (int i = 0; i < terrain_crater_sizes; ++i) {
+    float weight = crater_weight(frequency, footprint);
+    if (weight <= 0.0) break;  // and so is that of all smaller ones
+    float shown = terrain_craters * max(weight - held_of_layer(crater_detail * frequency), 0.0);
+    if (shown > 0.0) add_craters_of_size(up, i, frequency, uint(planet_seed), shown, dug, slope);
+    frequency *= crater_step;
+  }
+  mean += dug / terrain_height;
+  gradient += slope / terrain_height;
 }
 
 // The ground at the pixel as fine as it can show it. up: unit; footprint: rad.
@@ -54,9 +58,16 @@ GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
     }
     amplitude *= terrain_persistence;
   }
-  RidgesAdded added = ridges_added(ridge);
+  float of_ridges = amplitude_sum(terrain_persistence, terrain_octaves) - amplitude_sum(terrain_persistence, terrain_range_layer);
+  RidgesAdded added = ridges_added(ridge, of_ridges);
   ground.height += ridges * added.height;
   gradient += (ridges * added.slope) * ridge_gradient;
+  float dug = 0.0;
+  vec3 dug_gradient = vec3(0.0);
+  add_finer_craters(up, footprint, dug, dug_gradient);
+  float rise_of_mean = rise * amplitude_sum(terrain_persistence, terrain_octaves);
+  ground.height += rise_of_mean * dug;
+  gradient += rise_of_mean * dug_gradient;
   ground.gradient = gradient - dot(gradient, up) * up;
   add_finer_map(ground, up, footprint);
   return ground;

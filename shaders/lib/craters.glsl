@@ -72,13 +72,30 @@ void add_crater(vec3 direction, float frequency, ivec3 cell, uint seed, inout fl
   gradient += (crater.depth * shape.slope * frequency / (crater.radius * max(length(offset), 1.0e-9))) * offset;
 }
 
+// Craters are as fine as layers of noise with so many times the cells.
+const float crater_detail = 2.5;
+
 // How much of craters samples a footprint (rad) apart can show, 0..1. frequency: of their cells.
 float crater_weight(float frequency, float footprint) {
-  return layer_weight(2.5 * frequency, footprint);
+  return layer_weight(crater_detail * frequency, footprint);
 }
 
 // Sizes of craters follow each other by this factor of their frequencies.
 const float crater_step = 1.41421356;
+
+// Adds the craters of one size, as strongly as shown says, to what add_craters does. frequency: of their cells.
+void add_craters_of_size(vec3 direction, int size, float frequency, uint seed, float shown, inout float height,
+                         inout vec3 gradient) {
+  ivec3 cell = ivec3(floor(direction * frequency - 0.5));
+  float dug = 0.0;
+  vec3 slope = vec3(0.0);
+  for (int k = 0; k < 8; ++k) {
+    ivec3 corner = ivec3(k & 1, (k >> 1) & 1, k >> 2);
+    add_crater(direction, frequency, cell + corner, crater_seed(size, seed), dug, slope);
+  }
+  height += shown * dug / frequency;
+  gradient += (shown / frequency) * slope;
+}
 
 // Adds all craters at a direction (unit) to a height (planet radii) and its gradient over the unit sphere, without those
 // that samples a footprint (rad) apart can't show.
@@ -87,15 +104,7 @@ void add_craters(vec3 direction, Craters c, float footprint, inout float height,
   for (int i = 0; i < c.sizes; ++i) {
     float shown = c.depth * crater_weight(frequency, footprint);
     if (shown <= 0.0) break;  // and so is that of all smaller ones
-    ivec3 cell = ivec3(floor(direction * frequency - 0.5));
-    float dug = 0.0;
-    vec3 slope = vec3(0.0);
-    for (int k = 0; k < 8; ++k) {
-      ivec3 corner = ivec3(k & 1, (k >> 1) & 1, k >> 2);
-      add_crater(direction, frequency, cell + corner, crater_seed(i, c.seed), dug, slope);
-    }
-    height += shown * dug / frequency;
-    gradient += (shown / frequency) * slope;
+    add_craters_of_size(direction, i, frequency, c.seed, shown, height, gradient);
     frequency *= crater_step;
   }
 }

@@ -144,6 +144,23 @@ void raise_ranges(inout Height ground, RidgeSum r, OctaveSum layers, float h, ve
   ground.rise += cover_rise;
 }
 
+// What finer layers add to ridges whose mean is raised to the third power: to the ground by how much, for each unit of it
+// that Height's ridges tell, and how that changes with it.
+struct RidgesAdded {
+  float height, slope;
+};
+
+// added: to the sum of the ridges' layers; total: of their amplitudes. The mean that it is added to isn't known: that of all
+// ridges is taken. They can sink no lower than to where there are none.
+RidgesAdded ridges_added(float added, float total) {
+  float all = layer_mean(true) * max(total, 1.0e-6);
+  float part = max(added / all, -1.0);
+  RidgesAdded r;
+  r.height = part * all * (1.0 + part + part * part / 3.0);
+  r.slope = (1.0 + part) * (1.0 + part);
+  return r;
+}
+
 // Ice lies over what is lower.
 void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
   if (!ice_near(direction, ice)) return;

@@ -97,6 +97,23 @@ double unseen_slopes(const Scene& scene, double footprint) {
   return total > 0.0 ? std::min(variance / (total * total), 1e6) : 0.0;
 }
 
+namespace {
+
+// The same as unseen_heights of craters alone, as a variance of what they dig (radii).
+double unseen_craters(const Scene& scene, double footprint, double finer) {
+  constexpr double one_size = 0.0056;  // a deviation, in cells (tests/laws/craters_test.cpp)
+  const auto& terrain = scene.terrain;
+  double variance = 0.0, frequency = terrain.crater_frequency;
+  for (int i = 0; i < terrain.crater_sizes; ++i) {
+    const double unseen = f64::crater_weight(frequency, finer) - f64::crater_weight(frequency, footprint);
+    variance += std::pow(unseen * terrain.craters * one_size / frequency, 2.0);
+    frequency *= f64::crater_step;
+  }
+  return variance;
+}
+
+}  // namespace
+
 double unseen_heights(const Scene& scene, double footprint, double finer) {
   // Deviations of noise and of its distance from 0 (tests/laws/noise_test.cpp and heights_test.cpp).
   constexpr double smooth_layer = 0.5 * 0.38, ridged_layer = 0.23;
@@ -118,6 +135,7 @@ double unseen_heights(const Scene& scene, double footprint, double finer) {
   }
   const double total = f64::amplitude_sum(terrain.persistence, terrain.octaves);
   const double height = terrain.height / scene.planet.radius;
+  if (height > 0.0) lost += std::pow(std::max(total, 1.0) / height, 2.0) * unseen_craters(scene, footprint, finer);
   if (map != nullptr) {
     constexpr double high = 0.5;
     const double of_map = std::max(map->unseen_variance(footprint) - map->unseen_variance(finer), 0.0);

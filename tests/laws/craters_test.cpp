@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
@@ -116,6 +117,23 @@ TEST(Craters, AreFiniteAtTheEndsOfEveryParameter) {
       const Relief r = relief_at(places.on_sphere(), c);
       ASSERT_TRUE(std::isfinite(r.height) && std::isfinite(glm::length(r.gradient)));
     }
+  }
+}
+
+// What unseen_heights (src/planet/terrain.cpp) takes a size of craters for: measured 0.0055 to 0.0056 cells.
+TEST(Craters, OfOneSizeDeviateAsMuchWhateverTheirSize) {
+  Places places(35U);
+  for (const double frequency : {4.0, 16.0, 64.0}) {
+    double square = 0.0;
+    constexpr int count = 200'000;
+    for (int i = 0; i < count; ++i) {
+      f64::Craters one = fresh();
+      one.frequency = frequency;
+      one.sizes = 1;
+      one.seed = static_cast<unsigned>(i % 50);
+      square += std::pow(frequency * relief_at(places.on_sphere(), one).height, 2.0);
+    }
+    EXPECT_NEAR(std::sqrt(square / count), 0.0056, 0.0003) << frequency;
   }
 }
 

@@ -196,6 +196,17 @@ TEST(Openness, IsLowInHollowsAndHighOnCrests) {
   EXPECT_GT(high / highs, 0.71);  // measured 0.737
 }
 
+// The cube of a mean of ridges that finer layers change, less the cube before, for each unit of its derivative.
+TEST(RidgesAdded, AreWhatTheCubeGrowsBy) {
+  const double total = 1.7, mean = f64::layer_mean(true);
+  for (double added = -2.0; added < 1.0; added += 0.01) {
+    const f64::RidgesAdded r = f64::ridges_added(added, total);
+    const double after = std::max(mean + added / total, 0.0);
+    EXPECT_NEAR(3.0 * mean * mean * r.height / total, std::pow(after, 3.0) - std::pow(mean, 3.0), 1e-9);
+    EXPECT_NEAR(3.0 * mean * mean * r.slope, 3.0 * after * after, 1e-9);
+  }
+}
+
 TEST(TerrainHeight, WithoutOctavesOrHeightIsTheSphere) {
   f64::Terrain t = hills();
   t.octaves = 0;

@@ -65,7 +65,7 @@ TEST(FinestLayers, HaveCellsThatIntegersTell) {
 
 // Other cells would mean to make all nodes anew, while a window is dragged larger or a view narrowed.
 TEST(CellsOfNodes, AreTheSameForPicturesOfAnySize) {
-  for (const char* preset : {"blue", "highlands", "isles", "dunes", "frozen", "giant"}) {
+  for (const char* preset : {"blue", "highlands", "isles", "dunes", "craters", "atolls", "frozen", "giant"}) {
     Scene scene = find_preset(preset)->scene;
     const auto needs_for = [&](int rows, double fov) {
       View view;
