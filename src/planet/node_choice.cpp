@@ -29,11 +29,14 @@ class Choice {
       const double edge = grid_.edge(node.level);
       const NodeDistance distance = distance_of(cache_.at(slot).frame.outline, eye_, ranges_.reach * edge);
       const double wanted = node.level < ranges_.deepest ? ranges_.split * edge : 0.0;
-      bool splits = distance.to_split < wanted;
-      if (distance.to_split < look_ahead * wanted) splits = has_quarters(node, distance.to_split, !splits) && splits;
-      splits = splits && !has_coarser_around(node);
+      const bool should_split = distance.to_split < wanted;
+      Quarters quarters;
+      bool splits = distance.to_split < look_ahead * wanted &&
+                    find_quarters(node, distance.to_split, !should_split, quarters) && should_split;
+      splits = splits && !(waits_ && has_coarser_around(slot));
+      waits_ = waits_ || (should_split && !splits);
       if (splits) {
-        add_quarters(node);
+        for (const int quarter : quarters) add_visible(quarter);
       } else {
         const bool as_above = node.level > 0 && distance.nearest >= ranges_.morph_end() * edge;
         cache_.make_leaf(slot, as_above);
@@ -43,17 +46,21 @@ class Choice {
     std::swap(choice_.level, choice_.next);
   }
 
-  void add_visible(const GridNode& node) {
+  void add_root(const GridNode& node) {
     const int slot = cache_.find(node);
     CHECK(slot >= 0, node.face, node.level, node.x, node.y);
-    cache_.use(slot);
-    if (is_seen(cache_.at(slot))) choice_.next.push_back(slot);
+    add_visible(slot);
   }
 
   // Which of the nodes around a drawn one are of the level above, or in its shape.
-  [[nodiscard]] unsigned coarse_around(const GridNode& node) const {
+  [[nodiscard]] unsigned coarse_around(int slot) const {
     unsigned coarse = 0;
-    for (const NodeBeside& beside : grid_.around(node)) {
+    const NodeCache::Entry& entry = cache_.at(slot);
+    // With a little to spare, as the longest side of few nodes is longer than NodeGrid tells.
+    const double begins = 0.95 * ranges_.morph_end() * grid_.edge(entry.node.level);
+    const double farthest = std::hypot(eye_.lift, farthest_from(entry.frame.outline, eye_.direction));
+    if (!waits_ && farthest < begins) return coarse;
+    for (const NodeBeside& beside : entry.frame.around) {
       if ((coarse & beside.shares) == 0 && (lies_in_leaf(beside.node) || is_as_above(beside.node)))
         coarse |= beside.shares;
     }
@@ -61,15 +68,20 @@ class Choice {
   }
 
  private:
-  void add_quarters(const GridNode& node) {
-    for (const GridNode& child : grid_.children_of(node)) add_visible(child);
+  using Quarters = std::array<int, 4>;  // slots
+
+  void add_visible(int slot) {
+    cache_.use(slot);
+    if (is_seen(cache_.at(slot))) choice_.next.push_back(slot);
   }
 
-  // Asks for those that are not there.
-  bool has_quarters(const GridNode& node, double distance, bool is_ahead) {
+  // Whether they are all there; asks for those that are not.
+  bool find_quarters(const GridNode& node, double distance, bool is_ahead, Quarters& quarters) {
     bool all = true;
-    for (const GridNode& child : grid_.children_of(node)) {
-      const int slot = cache_.find(child);
+    const std::array<GridNode, 4> children = grid_.children_of(node);
+    for (std::size_t n = 0; n < children.size(); ++n) {
+      const GridNode& child = children.at(n);
+      const int slot = quarters.at(n) = cache_.find(child);
       if (slot < 0) {
         all = false;
         choice_.missing.push_back({child, distance, is_ahead});
@@ -80,8 +92,8 @@ class Choice {
     return all;
   }
 
-  [[nodiscard]] bool has_coarser_around(const GridNode& node) const {
-    const NodesAround around = grid_.around(node);
+  [[nodiscard]] bool has_coarser_around(int slot) const {
+    const NodesAround& around = cache_.at(slot).frame.around;
     return std::any_of(around.begin(), around.end(),
                        [&](const NodeBeside& beside) { return lies_in_leaf(beside.node); });
   }
@@ -128,6 +140,7 @@ class Choice {
   const NodeRanges& ranges_;
   NodeCache& cache_;
   NodeChoice& choice_;
+  bool waits_ = false;  // whether a node is not split that should be: else no two side by side differ by two levels
 };
 
 }  // namespace
@@ -160,12 +173,12 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   choice.level.clear();
   choice.next.clear();
   Choice chooser(grid, sight, eye, ranges, cache, choice);
-  for (const GridNode& root : grid.roots()) chooser.add_visible(root);
+  for (const GridNode& root : grid.roots()) chooser.add_root(root);
   std::swap(choice.level, choice.next);
   // Level by level, so that each node knows what its neighbours above have become.
   while (!choice.level.empty()) chooser.pass_level();
   if (sight.mountains_hide) leave_out_hidden(grid, sight, ranges.cells, cache, choice);
-  for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarse_around(cache.at(drawn.slot).node);
+  for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarse_around(drawn.slot);
   const bool lacks = std::any_of(choice.missing.begin(), choice.missing.end(),
                                  [](const MissingNode& missing) { return !missing.is_ahead; });
   if (lacks) std::erase_if(choice.missing, [](const MissingNode& missing) { return missing.is_ahead; });

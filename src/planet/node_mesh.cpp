@@ -66,6 +66,7 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
                     NodeVertices& vertices) {
   NodeFrame frame;
   frame.outline = outline_of(grid, patch, node);
+  frame.around = grid.around(node);
   const glm::dvec3& middle = frame.outline.middle;
   const Levels levels = vertices_of(grid, patch, node, middle, terrain);
   const HeightRange computed = range_of(levels.own), coarser = range_of(levels.above);

@@ -31,6 +31,7 @@ struct NodeFrame {
   double base = 0.0;    // a height of its ground; the node's centre is the middle times 1 + base
   HeightRange heights;  // of all ground over the node, whatever the level of detail
   HeightRange shown;    // of its vertices, as its level has them and as the level above has
+  NodesAround around;   // as its grid has them
 };
 
 // Heights are those that vertices of the node's level can carry; the coarser ones those of the level above, at every
