@@ -13,7 +13,7 @@ namespace terrella {
 struct FlightFrame {
   double clearance = 0.0;  // m
   double ms = 0.0;
-  bool complete = false;  // no node is missing that the picture asks for
+  bool complete = false;  // no node is missing that the picture asks for, and no grid gives way to another
 };
 
 struct FlightPlan {

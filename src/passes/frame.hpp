@@ -23,6 +23,9 @@ enum class Effort {
   complete,  // everything is made at once, however long it takes
 };
 
+// Which ground is drawn, where one way of dividing it gives way to the next.
+enum class GroundShown { now, before };
+
 // As in shaders/frame_block.glsl, std140.
 struct FrameBlock {
   glm::mat4 clip_from_eye;
@@ -53,6 +56,7 @@ struct Frame {
   Effort effort = Effort::complete;
   Rows rows;                         // of the picture that are drawn now; all else of it is as for the whole
   const Pose* levels_for = nullptr;  // for which levels of detail of nodes are chosen; none: its own
+  GroundShown ground_shown = GroundShown::now;
 };
 
 // Whether its rows are all that the picture has.

@@ -37,7 +37,10 @@ class GroundPass {
   // Where the surface lies that is drawn, over each group of the icosphere; empty where that is not known.
   [[nodiscard]] virtual std::span<const RadiusRange> ranges() const { return {}; }
   // Nodes that the sea is to be drawn with as well, or nothing.
-  [[nodiscard]] virtual const NodeMeshes* nodes() const { return nullptr; }
+  [[nodiscard]] virtual const NodeMeshes* nodes(GroundShown) const { return nullptr; }
+  // While one way of dividing it gives way to the next, pictures of both are blended: the part, 0..1, that the one
+  // before has in that of the last update. Where it is not 0, each update makes it less, for as many pictures more.
+  [[nodiscard]] virtual double part_before() const { return 0.0; }
 
   // Whether it is drawn as the last update's needs ask.
   [[nodiscard]] virtual bool settled() const = 0;

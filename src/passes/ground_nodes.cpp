@@ -9,7 +9,7 @@ void GroundNodes::draw(const Frame& frame) {
   const LayerBlock block = layer_block(frame.scene, frame.pose, 0);
   layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   const gl::Program& program = program_.use(frame.effort == Effort::complete);
-  nodes()->draw(frame, program, NodeLayer::ground);
+  nodes(frame.ground_shown)->draw(frame, program, NodeLayer::ground);
 }
 
 void GroundFixedGrid::update(const Frame& frame) {

@@ -28,7 +28,7 @@ class GroundFixedGrid : public GroundNodes {
   explicit GroundFixedGrid(Ground technique) : technique_(technique) {}
 
   void update(const Frame& frame) override;
-  [[nodiscard]] const NodeMeshes* nodes() const override { return &nodes_; }
+  [[nodiscard]] const NodeMeshes* nodes(GroundShown) const override { return &nodes_; }
   [[nodiscard]] bool settled() const override { return nodes_.settled(); }
   [[nodiscard]] std::int64_t noise_evaluations() const override { return nodes_.noise_evaluations(); }
 

@@ -38,8 +38,10 @@ void NodeMeshes::start_anew(const Frame& frame) {
   gl::HeightTexture::keep(heights_, terrain_->map.map);
 }
 
-void NodeMeshes::make_room(int cells) {
-  patch_ = grid_->patch(cells);
+void NodeMeshes::make_room(const NodeGrid& grid, int cells) {
+  if (patch_.cells == cells) return;
+  cache_.clear();
+  patch_ = grid.patch(cells);
   const auto count = patch_.vertices.size();
   for (std::size_t i = 0; i < textures_.size(); ++i) {
     const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
@@ -60,10 +62,9 @@ void NodeMeshes::make_room(int cells) {
 void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid, Making making) {
   noise_evaluations_ = 0;
   is_full_ = false;  // another eye may leave room
-  const int cells = frame.needs.ground_cells;
-  const bool other_nodes = grid_ != grid || patch_.cells != cells;
+  make_room(*grid, frame.needs.ground_cells);
+  const bool other_nodes = grid_ != grid;
   grid_ = std::move(grid);
-  if (patch_.cells != cells) make_room(cells);
   if (other_nodes || terrain_ != exact_terrain_of(frame.scene)) start_anew(frame);
   ranges_ = ranges_of(*grid_, frame.needs);
   for (const GridNode& root : grid_->roots()) {

@@ -26,6 +26,10 @@ class NodeMeshes {
  public:
   NodeMeshes();
 
+  // Takes memory for nodes of so many cells, which update would take else. grid: any of those that it will be asked
+  // for.
+  void make_room(const NodeGrid& grid, int cells);
+
   enum class Making { in_time, none };
 
   // Chooses what is drawn, and makes what is missing: all of it where the frame is to be complete, else as much as a
@@ -41,10 +45,8 @@ class NodeMeshes {
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
-  // Forgets what was made for nodes of other cells or another relief.
+  // Forgets what was made for another grid or another relief.
   void start_anew(const Frame& frame);
-  // For the grid's nodes of so many cells: textures, and lists of triangles.
-  void make_room(int cells);
   void choose();
   // Makes those that are missing until they or the time (ms) come to an end.
   void make_missing(const Frame& frame, double time);

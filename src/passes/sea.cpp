@@ -51,7 +51,7 @@ void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
   if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
   if constexpr (has_real_size) {
     const gl::Program& program = program_->use(frame.effort == Effort::complete);
-    ground->nodes()->draw(frame, program, NodeLayer::sea);
+    ground->nodes(frame.ground_shown)->draw(frame, program, NodeLayer::sea);
   }
 }
 

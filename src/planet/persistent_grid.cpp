@@ -38,16 +38,18 @@ PersistentGrid::PersistentGrid(const glm::dvec3& eye, double top) : eye_(eye), a
   zs_ = offset_that_covers(1.0 / std::tan(spare_aside * f64::grid_offset(1.0, spare_above * altitude_, top).phi));
   reached_ =
       std::min(std::atan2(1.0, zs_), std::atan2(std::numbers::sqrt2, zs_));  // in the middle of sides; at corners
+  served_ = 0.5 * (reached_ + farthest_seen(eye, top));
   measure_cells();
 }
 
-bool PersistentGrid::reaches(const glm::dvec3& eye, double top) const {
-  const double aside = f64::angle_between(w_, glm::normalize(eye));
-  return f64::hidden_angle(1.0, altitude_of(eye), top) + aside <= reached_;
+double PersistentGrid::farthest_seen(const glm::dvec3& eye, double top) const {
+  return f64::hidden_angle(1.0, altitude_of(eye), top) + f64::angle_between(w_, glm::normalize(eye));
 }
 
+bool PersistentGrid::reaches(const glm::dvec3& eye, double top) const { return farthest_seen(eye, top) <= reached_; }
+
 bool PersistentGrid::serves(const glm::dvec3& eye, double top) const {
-  return altitude_of(eye) >= spare_below * altitude_ && reaches(eye, top);
+  return altitude_of(eye) >= spare_below * altitude_ && farthest_seen(eye, top) <= served_;
 }
 
 double PersistentGrid::edge(int level) const { return std::ldexp(2.0 * stretch_, -level); }

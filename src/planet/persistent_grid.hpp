@@ -17,7 +17,8 @@ class PersistentGrid : public SquareGrid {
   [[nodiscard]] bool is_for(const glm::dvec3& eye, double top) const { return eye == eye_ && top == top_; }
   // Whether it reaches all that an eye can see.
   [[nodiscard]] bool reaches(const glm::dvec3& eye, double top) const;
-  // Whether it still serves an eye: it reaches far enough, and would not be much smaller if made for it.
+  // Whether it still serves an eye: of what it reaches beyond its own eye's sight half is left, and it would not be
+  // much smaller if made anew. The other half is for the time in which the next one is made and takes its place.
   [[nodiscard]] bool serves(const glm::dvec3& eye, double top) const;
 
   [[nodiscard]] std::span<const GridNode> roots() const override { return {&root_, 1}; }
@@ -29,6 +30,8 @@ class PersistentGrid : public SquareGrid {
   [[nodiscard]] std::optional<GridNode> beyond_face(const GridNode&, Side) const override { return std::nullopt; }
 
  private:
+  // Angle from the middle to the farthest that an eye can see, rad.
+  [[nodiscard]] double farthest_seen(const glm::dvec3& eye, double top) const;
   void measure_cells();
 
   GridNode root_;
@@ -37,6 +40,7 @@ class PersistentGrid : public SquareGrid {
   glm::dvec3 u_, v_, w_;  // the third towards the eye
   double zs_;             // how far it stands off the centre
   double reached_;        // angle from below the eye to where its rim is nearest, rad
+  double served_;         // angle from there to the farthest that an eye may see which it serves, rad
   double stretch_ = 0.0;  // rad, at the most, for a place on the square that is 1 further
   double reach_ = 0.0;
 };

@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "formulas/formulas.hpp"
 #include "gl/caps.hpp"
+#include "planet/real_size.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "scene/uniforms.hpp"
@@ -114,14 +115,15 @@ void Renderer::choose_techniques(Effort effort) {
   night_.choose(needs_.night);
   sun_.choose(needs_.sun);
   rings_.choose(needs_.rings, spheres_);
+  if (has_real_size && needs_.ground == Ground::persistent_grid && !fade_) fade_.emplace();
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
   if (clouds_) clouds_->want(needs_);
 }
 
 double Renderer::ready() {
-  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(),
-                        air_.ready(),     clouds_.ready(), rings_.ready()};
+  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(),          air_.ready(),
+                        clouds_.ready(),  rings_.ready(),  !fade_ || fade_->ready()};
   return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
 }
 
@@ -154,12 +156,29 @@ Frame Renderer::frame_of(const Rows& rows) const {
 }
 
 void Renderer::draw_rows(const Rows& rows) {
-  const Frame frame = frame_of(rows);
+  Frame frame = frame_of(rows);
   // Whoever drew in between may have bound their own.
   scene_buffer_.bind(gl::block_scene);
   set_maps(frame);
-  light_->begin();
   const gl::Scissors scissors({0, rows.first, frame.view.width, rows.end - rows.first});
+  light_->begin();
+  draw_light(frame);
+  if (frame.channel != Channel::color) return;
+  if (const double part = part_before(); part > 0.0) {
+    frame.ground_shown = GroundShown::before;
+    fade_->begin(light_->image());
+    draw_light(frame);
+    fade_->blend(*light_, part);
+  }
+  picture_.light_changed();
+}
+
+double Renderer::part_before() const {
+  if constexpr (has_real_size) return ground_ ? ground_->part_before() : 0.0;
+  return 0.0;
+}
+
+void Renderer::draw_light(const Frame& frame) {
   draw_opaque();
   // The ground first: it costs little where water hides it, and hides the water behind it.
   if (ground_) ground_->draw(frame);
@@ -176,16 +195,16 @@ void Renderer::draw_rows(const Rows& rows) {
     if (rings_) rings_->draw_before();
     draw_overlays();
     if (sun_) sun_->draw_glare(frame);
-    picture_.light_changed();
   }
 }
 
 bool Renderer::refine(const Scene& scene, const View& view) {
+  if (part_before() > 0.0) return true;
   const std::bitset<4> before = settled_slots();
   const Sea sea = make_sea(scene, view.seconds);
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
   update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live, {0, view.height}});
-  return settled_slots() != before;
+  return settled_slots() != before || part_before() > 0.0;
 }
 
 void Renderer::update_slots(const Frame& frame) {
@@ -210,7 +229,8 @@ void Renderer::update_slots(const Frame& frame) {
   const int per_pixel = needs_.pixel_octaves_end - needs_.pixel_octaves_first +
                         (needs_.water == Water::calm ? needs_.ripple_layers : 0) + needs_.cloud_pixel_end -
                         needs_.cloud_pixel_first;
-  const double planet = planet_pixels(frame.view, frame.pose);
+  const double times_drawn = part_before() > 0.0 ? 2.0 : 1.0;
+  const double planet = times_drawn * planet_pixels(frame.view, frame.pose);
   noise_evaluations_ += static_cast<std::int64_t>(planet * per_pixel);
   const double all = static_cast<double>(frame.view.width) * frame.view.height;
   const int smoothing = frame.scene.quality.antialias ? reads_to_smooth : 0;

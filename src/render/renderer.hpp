@@ -13,6 +13,7 @@
 #include "passes/clouds_shell.hpp"
 #include "passes/frame.hpp"
 #include "passes/ground.hpp"
+#include "passes/light_fade.hpp"
 #include "passes/night_lights.hpp"
 #include "passes/picture.hpp"
 #include "passes/rings_plane.hpp"
@@ -64,7 +65,8 @@ class Renderer {
   void wait() const;
 
   // Goes on with what a picture that is shown still lacks, as draw does with Effort::live, but draws none. Returns
-  // whether one would now show more. Of a whole() picture, for the scene and view it was drawn for.
+  // whether one would now show more; where each picture does, at once. Of a whole() picture, for the scene and view it
+  // was drawn for.
   bool refine(const Scene& scene, const View& view);
 
   // Shows the last drawn picture (of colour) on a screen of any size; antialias smooths the planet's edges.
@@ -94,6 +96,10 @@ class Renderer {
   void update_slots(const Frame& frame);
   void begin_light(const View& view, const Shot& shot);
   void set_maps(const Frame& frame);
+  // All that is seen of a scene, to where drawing goes.
+  void draw_light(const Frame& frame);
+  // How much of the picture shows the ground before (GroundPass::part_before).
+  [[nodiscard]] double part_before() const;
   [[nodiscard]] Frame frame_of(const Rows& rows) const;
 
   // A picture of which rows are still to be drawn.
@@ -116,7 +122,8 @@ class Renderer {
   Slot<Rings, RingsPlane> rings_;
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;
-  gl::CubeMap no_ground_;  // all sea
+  std::optional<LightFade> fade_;  // where a ground may give way to the next
+  gl::CubeMap no_ground_;          // all sea
   gl::CubeMap no_clouds_;
   Needs needs_;
   PictureBox planet_box_;

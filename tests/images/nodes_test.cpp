@@ -15,6 +15,7 @@
 #include "measure/ground_models.hpp"
 #include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
+#include "planet/persistent_grid.hpp"
 #include "sanitized.hpp"
 #include "scene/presets.hpp"
 
@@ -352,28 +353,68 @@ TEST_P(NodesInPictures, DoNotPopInADescent) {
   }
 }
 
-// The grid around the eye is made anew now and then. What that changes of a picture is what both miss of the ground,
-// and can be seen: measured 19.4 of 255 from 1000 km, 3 to 12 from 1 to 250 km, 0.2 to 6.7 below.
-TEST(PersistentGridInPictures, ChangesAsMuchAsItMissesOfTheGround) {
+// A part, 0..1, of a way on which an eye leaves the grid that was made for it: down from high above, else northwards.
+Scene on_its_way(Scene scene, double clearance, double part) {
+  if (clearance * scene.planet.radius > 1e5) {
+    clearance *= 1.0 - 0.9 * part;
+  } else {
+    scene.camera.latitude += 0.2 * part * glm::degrees(f64::hidden_angle(1.0, clearance, relief_top(scene) - 1.0));
+  }
+  scene.camera.pitch = pitch_below_horizon(clearance);
+  stand_over_ground(scene, clearance);
+  return scene;
+}
+
+// The last place on its way that the grid serves, and the first that it does not.
+std::pair<Scene, Scene> where_it_leaves(const Scene& start, double clearance) {
+  const double top = relief_top(start) - 1.0;
+  const auto eye_at = [&](double part) { return pose_of(on_its_way(start, clearance, part), {}).eye; };
+  const PersistentGrid grid(eye_at(0.0), top);
+  double served = 0.0, left = 1.0;
+  while (left - served > 1e-9) {
+    const double middle = 0.5 * (served + left);
+    (grid.serves(eye_at(middle), top) ? served : left) = middle;
+  }
+  return {on_its_way(start, clearance, served), on_its_way(start, clearance, left)};
+}
+
+// What two grids miss of the ground differs and can be seen, at the edges of snow most of all: measured 4 to 17 of 255
+// in one of a hundred pixels, 7 to 59 in one of a thousand. But where one gives way to the next, each picture changes
+// by a small part of that.
+TEST(PersistentGridInPictures, GivesWayToTheNextUnseen) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   const View view = part_of_a_picture();
+  const Shot live{Channel::color, Effort::live, true};
   Scene scene = mountains_by_day("blue", Ground::persistent_grid);
-  for (double altitude = 1e6; altitude > 2.0; altitude *= test::sanitized ? 0.01 : 0.25) {
+  for (const double altitude : {2e6, 5e5, 6e4, 4e3, 250.0, 15.0}) {
+    if (test::sanitized && altitude < 2e6) break;
     const double clearance = altitude / scene.planet.radius;
-    scene.camera.pitch = pitch_below_horizon(clearance);
-    Renderer held, fresh;
-    stand_over_ground(scene, 1.2 * clearance);
-    picture_for(held, scene, view, pose_of(scene, view));
-    stand_over_ground(scene, clearance);
-    const Pose pose = pose_of(scene, view);
-    draw_until_settled(held, scene, view);
-    std::vector<double> changed = changes(developed_of(held, scene, view), picture_for(fresh, scene, view, pose));
+    const auto [served, left] = where_it_leaves(scene, clearance);
+    Renderer renderer;
+    renderer.draw(on_its_way(scene, clearance, 0.0), view, {Channel::color, Effort::complete, true});
+    renderer.draw(served, view, live);
+    while (!renderer.settled()) renderer.refine(served, view);
+    std::vector<Image> pictures;
+    do {
+      renderer.draw(left, view, live);
+      pictures.push_back(developed_of(renderer, left, view));
+      while (!renderer.settled() && !renderer.refine(left, view)) {
+      }
+    } while (!renderer.settled());
+    std::vector<double> whole = changes(pictures.front(), pictures.back());
+    double most_p99 = 0.0, most_p999 = 0.0;
+    for (std::size_t i = 1; i < pictures.size(); ++i) {
+      std::vector<double> changed = changes(pictures[i - 1], pictures[i]);
+      most_p99 = std::max(most_p99, part_of(changed, 0.99));
+      most_p999 = std::max(most_p999, part_of(changed, 0.999));
+    }
     if (std::getenv("TERRELLA_PRINT") != nullptr)
-      std::printf("%10.3g m: %6.2f %6.2f most %6.2f\n", altitude, part_of(changed, 0.99), part_of(changed, 0.999),
-                  part_of(changed, 1.0));
-    EXPECT_LT(part_of(changed, 0.99), altitude > 300.0 ? 21.0 : 7.3) << altitude;
-    EXPECT_GT(part_of(changed, 1.0), 0.0) << altitude;  // it was made anew
+      std::printf("%10.3g m: in all %6.2f %6.2f, each of %zu pictures %5.2f %5.2f\n", altitude, part_of(whole, 0.99),
+                  part_of(whole, 0.999), pictures.size(), most_p99, most_p999);
+    EXPECT_LT(most_p99, 1.3) << altitude;             // measured: 1.14 from the highest, 0.25 to 0.9 below
+    EXPECT_LT(most_p999, 6.0) << altitude;            // 5.5, 0.4 to 2.6
+    EXPECT_GT(part_of(whole, 1.0), 0.0) << altitude;  // it was made anew
   }
 }
 

@@ -155,7 +155,7 @@ TEST(CubeGrid, FindsTheNodeThatHoldsADirection) {
   }
 }
 
-// As far as any terrain can be seen from an eye that it serves.
+// As far as any terrain can be seen, from its own eye and from others.
 TEST(PersistentGrid, ReachesAllThatCanBeSeen) {
   Places places(7);
   for (int n = 0; n < 200; ++n) {
@@ -164,13 +164,14 @@ TEST(PersistentGrid, ReachesAllThatCanBeSeen) {
     const PersistentGrid grid(eye, top);
     EXPECT_TRUE(grid.serves(eye, top));
     const glm::dvec3 other = eye + 0.2 * (glm::length(eye) - 1.0) * places.in_cube(1.0);
-    const glm::dvec3 served = grid.serves(other, top) ? other : eye;
-    const double far = f64::hidden_angle(1.0, glm::length(served) - 1.0, top);
+    EXPECT_TRUE(grid.reaches(other, top) || !grid.serves(other, top));
+    const glm::dvec3 reached = grid.reaches(other, top) ? other : eye;
+    const double far = f64::hidden_angle(1.0, glm::length(reached) - 1.0, top);
     // No place of the rim is nearer to what lies below the eye.
     const NodePatch patch = grid.patch(cells);
     for (const std::uint16_t k : patch.rim) {
       const glm::dvec3 rim = grid.vertex_direction({}, patch.vertices[k].i, patch.vertices[k].j, cells);
-      EXPECT_GE(f64::angle_between(rim, served), far) << top << " " << glm::length(eye) - 1.0;
+      EXPECT_GE(f64::angle_between(rim, reached), far) << top << " " << glm::length(eye) - 1.0;
     }
   }
 }
@@ -183,6 +184,23 @@ TEST(PersistentGrid, IsMadeAnewWhereItWouldBeMuchSmaller) {
   EXPECT_FALSE(grid.serves(1.2 * up, 1e-3));
   EXPECT_FALSE(grid.serves(1.9 * up, 1e-3));
   EXPECT_FALSE(grid.serves(1.5 * glm::dvec3(0.0, 0.8, 0.6), 1e-3));
+}
+
+// While an eye leaves it there is time to make the next one and to let it take its place.
+TEST(PersistentGrid, ReachesFurtherThanItServes) {
+  const glm::dvec3 up(0.0, 0.6, 0.8);
+  for (const double altitude : {1e-6, 1e-3, 1.0}) {
+    const PersistentGrid grid((1.0 + altitude) * up, 1e-3);
+    const auto most = [&](const auto& holds) {
+      double growth = 1.0;
+      while (holds((1.0 + growth * altitude) * up)) growth *= 1.001;
+      return growth;
+    };
+    const double served = most([&](const glm::dvec3& eye) { return grid.serves(eye, 1e-3); });
+    const double reached = most([&](const glm::dvec3& eye) { return grid.reaches(eye, 1e-3); });
+    EXPECT_GT(served, 1.1) << altitude;
+    EXPECT_GT(reached, 1.1 * served) << altitude;
+  }
 }
 
 }  // namespace
