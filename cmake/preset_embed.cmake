@@ -1,6 +1,5 @@
-# cmake -DFOLDER=presets -DREAL_SIZE=ON|OFF -DOUT=preset_texts.cpp -P preset_embed.cmake
-# Writes the presets as C++: first those named in order.txt, a name a line, then the others by name. REAL_SIZE OFF: without
-# those that real_size.txt names.
+# cmake -DFOLDER=presets -DOUT=preset_texts.cpp -P preset_embed.cmake
+# Writes the presets as C++: first those named in order.txt, a name a line, then the others by name.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -18,14 +17,10 @@ if(EXISTS ${FOLDER}/order.txt)
   list(REMOVE_DUPLICATES names)
 endif()
 
-if(NOT REAL_SIZE)
-  file(STRINGS ${FOLDER}/real_size.txt left_out)
-  list(REMOVE_ITEM names ${left_out})
-endif()
-
 set(texts "")
 foreach(name IN LISTS names)
   file(READ ${FOLDER}/${name}.json json)
+  string(REGEX REPLACE "\n *" "" json "${json}")  # the page carries no indents
   string(APPEND texts "    PresetText{\"${name}\", R\"json(${json})json\"},\n")
 endforeach()
 list(LENGTH names count)

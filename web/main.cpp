@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/json_text.hpp"
 #include "gl/caps.hpp"
+#include "planet/real_size.hpp"
 #include "scene/description.hpp"
 #include "scene/json.hpp"
 #include "scene/link.hpp"
@@ -17,6 +18,7 @@
 
 namespace {
 
+using terrella::has_real_size;
 using terrella::Session;
 
 // clang-format off
@@ -31,6 +33,7 @@ EM_JS(void, page_save_picture, (int width, int height, int transparent),
       { Module.onSavePicture({ width, height, transparent : transparent !== 0 }); });
 EM_JS(int, page_can_fill_screen, (), { return Module.onFillScreen ? 1 : 0; });
 EM_JS(void, page_fill_screen, (), { Module.onFillScreen(); });
+EM_JS(void, page_want_real_size, (), { Module.onWantRealSize(); });
 EM_JS(void, page_keep_habits, (const char* text), { Module.onKeepHabits(UTF8ToString(text)); });
 // clang-format on
 
@@ -127,16 +130,25 @@ EMSCRIPTEN_KEEPALIVE const char* terrella_load_json(const char* text) {
 EMSCRIPTEN_KEEPALIVE const char* terrella_load_link(const char* link) {
   return returned_list(session->load_link(link));
 }
-// A map of heights: pixels of four bytes, or with a height of 0 the bytes of a PFM file, width of them. A sentence, or
-// "".
-EMSCRIPTEN_KEEPALIVE const char* terrella_take_map(const char* name, const unsigned char* bytes, int width,
-                                                   int height) {
+// A map of heights: pixels of four bytes, or with a height of 0 the bytes of a PFM file, width of them. at_once: the
+// scene takes it, else those do that name it. A sentence, or "".
+EMSCRIPTEN_KEEPALIVE const char* terrella_take_map(const char* name, const unsigned char* bytes, int width, int height,
+                                                   int at_once) {
   const auto map = height == 0 ? terrella::read_pfm_height_map(
                                      name, {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(width)})
                                : terrella::read_pixels_of_height_map(name, width, height, bytes);
-  if (map) session->take_map({name, *map});
+  if (map) at_once != 0 ? session->take_map({name, *map}) : session->know_map({name, *map});
   return returned(map.sentence());
 }
+
+// Of the page's two programs the one for miniatures hands over and the other takes over; neither has what only the
+// other needs for that.
+EMSCRIPTEN_KEEPALIVE int terrella_hands_rest() { return session->hands_rest() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE const char* terrella_hand_over() { return returned(has_real_size ? "" : session->hand_over()); }
+EMSCRIPTEN_KEEPALIVE void terrella_take_over(const char* text) {
+  if (has_real_size) session->take_over(text);
+}
+
 EMSCRIPTEN_KEEPALIVE void terrella_add_notice(const char* sentence) { session->add_notices({sentence}); }
 EMSCRIPTEN_KEEPALIVE void terrella_copy_failed() { session->copy_failed(); }
 EMSCRIPTEN_KEEPALIVE void terrella_set_paused(int paused) { session->set_paused(paused != 0); }
@@ -175,6 +187,7 @@ int main() {
     page_save_picture(wish.width, wish.height, wish.transparent ? 1 : 0);
   };
   if (page_can_fill_screen() != 0) host.fill_screen = page_fill_screen;
+  host.want_real_size = page_want_real_size;
   host.keep_habits = [](const std::string& text) { page_keep_habits(text.c_str()); };
   session = std::make_unique<Session>(std::move(host));
   return 0;

@@ -1,5 +1,7 @@
 #include "app/history.hpp"
 
+#include <utility>
+
 #include "base/check.hpp"
 #include "scene/parameters.hpp"
 
@@ -26,6 +28,12 @@ std::string_view subject_of(const SceneDocument& a, const SceneDocument& b) {
 void History::start(const Snapshot& first) {
   *this = {};
   present_ = first;
+}
+
+void History::resume(std::vector<Snapshot> past, const Snapshot& present, std::vector<Snapshot> future) {
+  start(present);
+  past_ = std::move(past);
+  future_ = std::move(future);
 }
 
 void History::begin() {

@@ -28,6 +28,9 @@ class History {
   // Starts with a scene to which nothing leads.
   void start(const Snapshot& first);
 
+  // Goes on with another's way. past, future: the nearest last.
+  void resume(std::vector<Snapshot> past, const Snapshot& present, std::vector<Snapshot> future);
+
   // A press, a file: the next change begins a step of its own.
   void begin();
   // A notch, a tap, a call. The next change goes on with the last step if that came by the same means, within `rest`,
@@ -43,6 +46,10 @@ class History {
 
   [[nodiscard]] bool can_undo() const { return past_.size() > (last_step_is_empty() ? 1U : 0U); }
   [[nodiscard]] bool can_redo() const { return !future_.empty(); }
+  // The nearest last.
+  [[nodiscard]] const std::vector<Snapshot>& past() const { return past_; }
+  [[nodiscard]] const std::vector<Snapshot>& future() const { return future_; }
+
   // One step back or ahead, and the scene there. Only if there is one.
   const Snapshot& undo();
   const Snapshot& redo();

@@ -1,5 +1,8 @@
 #include "app/preset_pictures.hpp"
 
+#include <algorithm>
+
+#include "planet/needs.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -15,12 +18,23 @@ Scene at_small_size(Scene scene) {
   return scene;
 }
 
+// As the default planet is seen: of one of real size a program for miniatures shows the whole as well, but no ground
+// nearby.
+Scene from_afar(Scene scene) {
+  const Scene usual;
+  const double altitude = usual.camera.altitude / usual.planet.radius * scene.planet.radius;
+  scene.camera.altitude = std::max(scene.camera.altitude, altitude);
+  scene.camera.pitch = usual.camera.pitch;
+  return scene;
+}
+
 }  // namespace
 
 void PresetPictures::advance() {
   if (complete()) return;
   if (!renderer_) renderer_ = std::make_unique<Renderer>();
-  const Scene scene = at_small_size(presets()[pictures_.size()].scene);
+  Scene scene = at_small_size(presets()[pictures_.size()].scene);
+  if (lacks_real_size(scene)) scene = from_afar(scene);
   View view;
   view.width = oversampling * width;
   view.height = oversampling * height;

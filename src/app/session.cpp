@@ -12,6 +12,7 @@
 #include "app/still.hpp"
 #include "base/text.hpp"
 #include "gl/caps.hpp"
+#include "planet/needs.hpp"
 #include "planet/validity.hpp"
 #include "scene/json.hpp"
 #include "scene/link.hpp"
@@ -358,7 +359,10 @@ void Session::keep_habits() {
 }
 
 void Session::obey(const PanelWishes& wishes) {
-  if (wishes.scene_replaced) camera_.scene_replaced(document_.scene);
+  if (wishes.scene_replaced) {
+    camera_.scene_replaced(document_.scene);
+    lacks_real_size_ = false;  // it is asked for again
+  }
   if (wishes.preset_chosen) opened_ = document_;
   if (wishes.scene_changed || wishes.scene_replaced) {
     begin_step_of_panel();
@@ -427,22 +431,30 @@ void Session::scene_was_changed() {
   planet_stale_ = true;
   panel_frames_ = std::max(panel_frames_, 2);
   if (host_.scene_changed) host_.scene_changed();
+  ask_for_real_size();
+}
+
+// Once, and not at every step of a hand: where the program cannot be had, who opens another scene may try again.
+void Session::ask_for_real_size() {
+  const bool lacked = std::exchange(lacks_real_size_, lacks_real_size(document_.scene));
+  if (lacks_real_size_ && !lacked && host_.want_real_size) host_.want_real_size();
 }
 
 // What is opened before the first picture is the beginning: nothing leads back from it.
 void Session::open(const SceneDocument& loaded) {
   document_ = loaded;
-  find_map();
+  find_map(document_.scene);
   opened_ = document_;
-  notices_.clear();  // they were about another scene
+  notices_.clear();          // they were about another scene
+  lacks_real_size_ = false;  // it is asked for again
   camera_.scene_replaced(document_.scene);
   if (!planet_shown_) history_.start({document_, opened_});
   history_.begin();
   scene_was_changed();
 }
 
-void Session::find_map() {
-  MapFile& file = document_.scene.terrain.map;
+void Session::find_map(Scene& scene) const {
+  MapFile& file = scene.terrain.map;
   for (const MapFile& known : maps_) {
     if (!file.map && known.name == file.name) file = known;
   }
@@ -495,7 +507,7 @@ std::vector<std::string> Session::load_link(const std::string& link) {
 std::string Session::set(const std::string& path, const std::string& text) {
   const std::optional<Issue> issue = assign_text(document_.scene, path, text);
   if (issue) return issue->text();
-  find_map();
+  find_map(document_.scene);
   go_on_by(History::Means::calls);
   scene_was_changed();
   return {};

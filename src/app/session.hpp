@@ -41,6 +41,8 @@ class Session {
     std::function<void(const PictureWish&)> save_picture;  // offers a picture made by picture()
     std::function<void(const std::string&)> keep_habits;   // the panel's, for take_habits at the next visit
     std::function<void()> fill_screen;                     // the whole one, or back; empty where that cannot be
+    std::function<void()> want_real_size;                  // a program that draws such planets, for a scene has come
+                                                           // to be of one; this session could hand over to it
   };
 
   explicit Session(Host host);
@@ -111,6 +113,13 @@ class Session {
   // What Host::copy_text or copy_typed was given did not reach the clipboard.
   void copy_failed();
 
+  // Whether no hand holds anything, so that the session of another program can go on in its place.
+  [[nodiscard]] bool hands_rest() const;
+  // All that it needs for that but maps (know_map) and a context, as text.
+  [[nodiscard]] std::string hand_over() const;
+  // For a new session. The host hears of no change.
+  void take_over(const std::string& text);
+
   // Draws the planet as it is at a time, complete, and waits until it is there. Leaves the clock at that time.
   void render_at(double seconds, GLuint framebuffer);
   // A picture of the planet alone, of any size that the machine can draw.
@@ -144,8 +153,10 @@ class Session {
   void fly_to(const Destination& there);
   void scene_was_changed();
   void open(const SceneDocument& loaded);
-  // Gives the scene the map that it names, if it is at hand.
-  void find_map();
+  // Gives a scene the map that it names, if it is at hand.
+  void find_map(Scene& scene) const;
+  SceneDocument document_of(std::string_view json) const;
+  void ask_for_real_size();
   void return_to(const Snapshot& snapshot);
   bool hand_is_busy() const { return drag_ != Drag::none || hand_on_value_; }
   void begin_step_of_panel();
@@ -211,6 +222,7 @@ class Session {
   bool pressed_on_panel_ = false;              // by the last press
   std::optional<std::u32string> typed_ahead_;  // for the search, whose field is on its way
   bool comparing_ = false;
+  bool lacks_real_size_ = false;  // the scene did, after the last change
 
   bool planet_stale_ = true;  // the scene, the size or the place in time has changed since it was drawn
   bool clock_moved_ = false;  // or the clock has run on

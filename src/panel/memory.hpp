@@ -57,6 +57,13 @@ struct FingerScroll {
   float speed = 0.0F;  // of what is scrolled, pixels a second; it runs on when the finger has left
 };
 
+// How far down the rows are.
+struct Scrolling {
+  float at = 0.0F;        // in the last frame, pixels
+  float wanted = 0.0F;    // to go on from where another panel was
+  int frames_to_get = 0;  // there: at first the rows are not known to be so long
+};
+
 // Where text is typed.
 struct Caret {
   float window_height = 0.0F;  // at the last frame, pixels
@@ -133,6 +140,7 @@ struct PanelMemory {
   std::set<std::string_view> open;  // sections
   Typing typing;
   FingerScroll finger;
+  Scrolling scrolling;
   Caret caret;
   Keyboard keyboard;
   SliderHand hand;

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "panel/keyboard.hpp"
 #include "panel/keys_window.hpp"
 #include "panel/notices.hpp"
+#include "panel/panel_state.hpp"
 #include "panel/parameter_row.hpp"
 #include "panel/place.hpp"
 #include "panel/quality_rows.hpp"
@@ -95,6 +97,13 @@ void sections_below_search(Sheet& sheet) {
   statistics_section(sheet);
 }
 
+// In the window of the rows.
+void note_how_far_down(Scrolling& scrolling) {
+  scrolling.at = ImGui::GetScrollY();
+  if (scrolling.frames_to_get > 0) ImGui::SetScrollY(scrolling.wanted);
+  scrolling.frames_to_get = std::max(0, scrolling.frames_to_get - 1);
+}
+
 // In a low window what is searched for would have no room below all the rest.
 bool found_need_the_room(const PanelMemory& memory) {
   return memory.search.text[0] != '\0' && ImGui::GetIO().DisplaySize.y < points(kLowWindow);
@@ -130,6 +139,7 @@ PanelWishes Panel::draw(SceneDocument& document, const PanelFacts& facts, std::v
     if (std::exchange(memory_.search.alone, alone) != alone)
       ImGui::SetScrollHereY(0.0F);  // what was above it went or came
     sections_below_search(sheet);
+    note_how_far_down(memory_.scrolling);
     end_rows(place);
   }
   note_scrolling(memory_.hand.wheel);
@@ -152,6 +162,10 @@ Covered Panel::covered() const { return covered_by(memory_.place()); }
 std::string Panel::habits() const { return habits_of(memory_); }
 
 void Panel::take_habits(std::string_view text) { terrella::take_habits(memory_, text); }
+
+void Panel::add_state(NamedLines& lines) const { terrella::add_state(memory_, lines); }
+
+void Panel::take_state(std::string_view text) { terrella::take_state(memory_, text); }
 
 void Panel::surprise(SceneDocument& document) {
   document.scene = memory_.chance.draw(document.scene, memory_.chance.locked);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/named_lines.hpp"
 #include "panel/camera_mode.hpp"
 #include "panel/destination.hpp"
 #include "panel/memory.hpp"
@@ -118,6 +119,10 @@ class Panel {
   // What is to be kept until the next visit, as a line of text (panel/habits.hpp).
   [[nodiscard]] std::string habits() const;
   void take_habits(std::string_view text);
+
+  // What a panel of another program needs to go on with this one, habits included (panel/panel_state.hpp).
+  void add_state(NamedLines& lines) const;
+  void take_state(std::string_view text);
 
   // Draws the planet anew by chance, but for what is locked.
   void surprise(SceneDocument& document);

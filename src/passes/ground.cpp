@@ -8,7 +8,7 @@
 namespace terrella {
 
 std::unique_ptr<GroundPass> make_ground(Ground technique, SphereMeshes& spheres) {
-  if constexpr (has_real_size) {
+  if (has_real_size) {
     if (technique == Ground::persistent_grid) return std::make_unique<GroundPersistentGrid>();
     if (has_nodes(technique)) return std::make_unique<GroundFixedGrid>(technique);
   }

@@ -49,10 +49,9 @@ void SeaPass::want(const Needs& needs) {
 
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
   if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
-  if constexpr (has_real_size) {
-    const gl::Program& program = program_->use(frame.effort == Effort::complete);
-    ground->nodes(frame.ground_shown)->draw(frame, program, NodeLayer::sea);
-  }
+  if (!has_real_size) return;  // where nothing is over nodes, but only this tells a linker
+  const gl::Program& program = program_->use(frame.effort == Effort::complete);
+  ground->nodes(frame.ground_shown)->draw(frame, program, NodeLayer::sea);
 }
 
 void SeaPass::draw_sphere(const Frame& frame, std::span<const RadiusRange> ground) {

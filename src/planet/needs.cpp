@@ -151,9 +151,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
                  ? "a miniature: one mesh shows all of it"
                  : "the planet is of real size: from 10 km of radius on, and mountains below a fiftieth of it");
   decide_map(needs, scene, decide);
-  if constexpr (has_real_size) {
-    if (has_nodes(needs.ground)) return decide_nodes(needs, scene, pose, decide);
-  }
+  if (has_real_size && has_nodes(needs.ground)) return decide_nodes(needs, scene, pose, decide);
 
   needs.ground_level = ground_level(scene);
   decide.add("ground.level", needs.ground_level,
@@ -387,10 +385,16 @@ std::string_view name_of(Stars technique) { return technique == Stars::none ? "n
 
 double texel_angle(int texels) { return 2.0 / texels; }
 
+namespace {
+
 bool asks_for_real_size(const Scene& scene) {
   if (scene.terrain.model != model_auto) return scene.terrain.model > ground_icosphere;
   return scene.planet.radius >= real_radius && scene.terrain.height <= real_relief * scene.planet.radius;
 }
+
+}  // namespace
+
+bool lacks_real_size(const Scene& scene) { return !has_real_size && asks_for_real_size(scene); }
 
 Ground ground_technique(const Scene& scene) {
   if (scene.terrain.model == model_none) return Ground::none;

@@ -93,8 +93,8 @@ double texel_angle(int texels);
 // Whether it is drawn as nodes that are split where they are near.
 constexpr bool has_nodes(Ground technique) { return technique >= Ground::persistent_grid; }
 
-// Whether a scene is to have a ground of nodes, which not all builds draw (has_real_size).
-bool asks_for_real_size(const Scene& scene);
+// Whether a scene is to have a ground of nodes, which this program does not draw (has_real_size).
+bool lacks_real_size(const Scene& scene);
 
 // How the ground is drawn, which depends on nothing but the scene.
 Ground ground_technique(const Scene& scene);

@@ -69,12 +69,9 @@ namespace {
 // Single precision, which tells places on an Earth 0.4 m apart, is enough for miniatures.
 double ground_below(const Scene& scene, const glm::dvec3& direction) {
   constexpr double finest_of_meshes = 1e-7;
-  if constexpr (has_real_size) {
-    const bool nodes = has_nodes(ground_technique(scene));
-    return exact_ground_radius(exact_terrain_of(scene), direction, nodes ? finest_footprint : finest_of_meshes);
-  } else {
-    return ground_radius(terrain_of(scene), direction, finest_of_meshes);
-  }
+  if (!has_real_size) return ground_radius(terrain_of(scene), direction, finest_of_meshes);
+  const bool nodes = has_nodes(ground_technique(scene));
+  return exact_ground_radius(exact_terrain_of(scene), direction, nodes ? finest_footprint : finest_of_meshes);
 }
 
 }  // namespace

@@ -1,13 +1,9 @@
-// Whether this build draws planets of real size (CMake's TERRELLA_REAL_SIZE): what only they need is left out where
-// not.
+// Whether this program draws planets of real size. It is told when programs are linked, which leaves out what only they
+// need: the page has one program with it and one without, of the same objects.
 #pragma once
 
 namespace terrella {
 
-#ifdef TERRELLA_REAL_SIZE
-inline constexpr bool has_real_size = true;
-#else
-inline constexpr bool has_real_size = false;
-#endif
+extern const bool has_real_size;
 
 }  // namespace terrella

@@ -9,7 +9,6 @@
 
 #include "base/text.hpp"
 #include "planet/icosphere.hpp"
-#include "planet/real_size.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
@@ -75,10 +74,10 @@ double missed_part(double cells_on_edge) {
 
 void judge_ground(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
   const auto& terrain = scene.terrain;
-  if (!has_real_size && needs.ground != Ground::none && asks_for_real_size(scene)) {
-    issues.push_back(
-        {"terrain.model",
-         "planets of real size are drawn by the desktop program only; here the ground near the eye is coarse."});
+  if (lacks_real_size(scene)) {
+    issues.push_back({"terrain.model",
+                      "planets of real size need a program of their own; as long as it is not here, the ground near "
+                      "the eye is coarse."});
     return;
   }
   const bool relief =

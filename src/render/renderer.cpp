@@ -174,8 +174,7 @@ void Renderer::draw_rows(const Rows& rows) {
 }
 
 double Renderer::part_before() const {
-  if constexpr (has_real_size) return ground_ ? ground_->part_before() : 0.0;
-  return 0.0;
+  return has_real_size && ground_ ? ground_->part_before() : 0.0;
 }
 
 void Renderer::draw_light(const Frame& frame) {

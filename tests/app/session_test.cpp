@@ -689,5 +689,50 @@ TEST_F(SessionTest, DoesNotGoToAndFroBetweenAQualityThatMovesAndOneThatRests) {
   }
 }
 
+TEST_F(SessionTest, GoesOnInAnotherWhereHandsLeftIt) {
+  session.load_link("preset=storm");
+  settle();
+  session.set("water.level", "0.3");
+  rest();
+  session.set("waves.count", "3");
+  session.undo();
+  session.set_seconds(4.5);
+  session.add_notices({"A sentence."});
+  const std::string all = session.hand_over();
+  const SceneDocument document = session.document();
+  session.load_link("preset=moon");
+  session.set_seconds(1.0);
+  const int before = changes;
+  session.take_over(all);
+  EXPECT_EQ(changes, before);
+  EXPECT_EQ(session.document(), document);
+  EXPECT_NE(session.stats().find("A sentence."), std::string::npos);
+  session.redo();
+  EXPECT_EQ(session.document().scene.waves.count, 3);
+  session.undo();
+  session.undo();
+  EXPECT_EQ(session.document().scene, find_preset("storm")->scene);
+  EXPECT_NE(session.hand_over().find("seconds 4.5\n"), std::string::npos);
+}
+
+TEST_F(SessionTest, RestsOnceNoHandHoldsAnything) {
+  settle();
+  EXPECT_TRUE(session.hands_rest());
+  session.pointer_moved(40.0, 25.0);
+  session.pointer_button(Button::left, true);
+  EXPECT_FALSE(session.hands_rest());
+  session.pointer_button(Button::left, false);
+  EXPECT_TRUE(session.hands_rest());
+  session.key(Key::left, true, {});
+  EXPECT_FALSE(session.hands_rest());
+  session.key(Key::left, false, {});
+  settle();
+  EXPECT_TRUE(session.hands_rest());
+  session.wheel(2.0);
+  EXPECT_FALSE(session.hands_rest());
+  settle();
+  EXPECT_TRUE(session.hands_rest());
+}
+
 }  // namespace
 }  // namespace terrella

@@ -96,6 +96,7 @@ class Nodes {
   [[nodiscard]] NodeFrame bare_frame(const GridNode& node) const {
     NodeFrame frame;
     frame.outline = outline_of(*grid_, outline_, node);
+    frame.around = grid_->around(node);
     const double height = f64::terrain_height_at(frame.outline.middle, terrain_, 0.0).value;
     frame.heights = {height - 0.1 * frame.outline.half_width, height + 0.1 * frame.outline.half_width};
     return frame;

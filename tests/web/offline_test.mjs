@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterEach, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { until } from './browser.mjs';
+import { sleep, until } from './browser.mjs';
 import { serve } from './serve.mjs';
 import { dist, look, testSite } from './site.mjs';
 
@@ -31,13 +31,15 @@ async function visit() {
 }
 
 const keptUnder = page => page.evaluate(() => caches.keys());
+const holdsRealSize = page => page.evaluate(async () => Boolean(await caches.match(new URL('terrella_real_size.wasm', location))));
 const kept = page => page.evaluate(async () => { await navigator.serviceWorker.ready; });
 
 // Writes the worker as the build does.
 function makeWorker() {
-  const files = [...readFileSync(join(dist, 'worker.js'), 'utf8').match(/const files = \[(.*?)\]/)[1].matchAll(/'(.*?)'/g)];
-  const names = files.map(match => match[1] === './' ? 'index.html' : match[1]).join(',');
-  assert.equal(spawnSync('cmake', [`-DDIST=${own.folder}`, `-DFILES=${names}`, '-P', script]).status, 0);
+  const worker = readFileSync(join(dist, 'worker.js'), 'utf8');
+  const listed = list => [...worker.match(new RegExp(`const ${list} = \\[(.*?)\\]`))[1].matchAll(/'(.*?)'/g)].map(match => match[1]);
+  const names = listed('files').map(name => name === './' ? 'index.html' : name).join(',');
+  assert.equal(spawnSync('cmake', [`-DDIST=${own.folder}`, `-DFILES=${names}`, `-DFILES_OF_REAL_SIZE=${listed('filesOfRealSize')}`, '-P', script]).status, 0);
 }
 
 describe('the page, visited again', () => {
@@ -59,6 +61,22 @@ describe('the page, visited again', () => {
     await page.context().close();
   });
 
+  test('draws planets of real size without a network, if it has drawn one before', async () => {
+    const page = await visit();
+    await kept(page);
+    assert.equal(await holdsRealSize(page), false);
+    const few = '&panel=0&pause=1&quality.pixel_error=4&quality.resolution_scale=0.5';
+    await page.evaluate(scene => terrella.load(scene), '?preset=blue' + few);
+    await until(page, () => terrella.stats().slots.ground === 'quadtree');
+    while (!await holdsRealSize(page)) await sleep(100);
+    own.server.close();
+    await page.context().setOffline(true);
+    await page.goto(own.server.url + 'index.html?preset=blue' + few);
+    await page.evaluate(() => terrella.ready);
+    assert.equal(await page.evaluate(() => terrella.stats().slots.ground), 'quadtree');
+    await page.context().close();
+  });
+
   test('shows a new version at once, and keeps that instead', async () => {
     own.folder = mkdtempSync(join(tmpdir(), 'terrella-'));
     cpSync(dist, own.folder, { recursive: true });
@@ -68,6 +86,8 @@ describe('the page, visited again', () => {
     await kept(page);
     const before = await keptUnder(page);
     assert.equal(before.length, 1);
+    await page.evaluate(async () => { (await navigator.serviceWorker.ready).active.postMessage('keep real size'); });
+    while (!await holdsRealSize(page)) await sleep(100);
 
     const index = join(own.folder, 'index.html');
     writeFileSync(index, readFileSync(index, 'utf8').replace('<title>Terrella', '<title>Terrella, anew'));
@@ -75,6 +95,7 @@ describe('the page, visited again', () => {
     await page.reload();
     assert.equal(await page.title(), 'Terrella, anew');
     await until(page, async old => { const now = await caches.keys(); return now.length === 1 && now[0] !== old; }, before[0]);
+    assert.equal(await holdsRealSize(page), true, 'what was needed before is kept again');
     own.server.close();
     await page.context().setOffline(true);
     await page.reload();

@@ -32,9 +32,9 @@ export interface Stats {
   frame_ms: { median: number; p10: number; p90: number };
   /** The same from one picture on screen to the next: on slow machines one is drawn in several frames. */
   picture_ms: { median: number; p10: number; p90: number };
-  /** Milliseconds from the start until the first frame. */
+  /** Milliseconds from the program's start until its first frame. */
   first_frame_ms: number;
-  /** Pictures shown since the start. */
+  /** Pictures shown since the program's start: planets of real size have one of their own. */
   frames: number;
   /** Frames that a picture is drawn in while nothing but time goes on; 1 where it is drawn and shown in one. */
   bands: number;
@@ -70,7 +70,8 @@ export interface PictureOptions {
 }
 
 export interface Planet {
-  /** Kept when the first full frame is on screen; broken with a sentence where there can be none. All below but `on`
+  /** Kept when the first full frame is on screen, of a planet of real size as such; broken with a sentence where there can
+   *  be none. All below but `on`
    *  throws an Error before there is a program, which is some time before. */
   readonly ready: Promise<void>;
 
@@ -89,7 +90,8 @@ export interface Planet {
 
   stats(): Stats;
 
-  /** A PNG of the planet alone, of any size that the machine can draw. Breaks with a sentence where it cannot. */
+  /** A PNG of the planet alone, of any size that the machine can draw, once the program is here that draws planets of
+   *  real size where the scene is of one. Breaks with a sentence where it cannot. */
   screenshot(options?: PictureOptions): Promise<Blob>;
   /** Draws one frame as it is so many seconds after the scene began, and returns when the GPU has finished it. */
   render(seconds: number): void;

@@ -30,6 +30,7 @@ const planet = new Planet(canvas, {
   firstSize: () => [innerWidth, innerHeight],  // the style sheet may be on its way
   progressed(share) { progress.value = share; },
   shown() { loading.hidden = true; },
+  becameRealSize() { keepRealSize().catch(() => {}); },
   failed(sentence) {
     loading.hidden = false;
     progress.hidden = true;
@@ -79,3 +80,9 @@ async function keepForLater() {
   await navigator.serviceWorker.register('worker.js');
 }
 keepForLater().catch(() => {});
+
+// What few visits need is not kept before one has needed it: it is as large as all the rest.
+async function keepRealSize() {
+  const { active } = await navigator.serviceWorker.ready;
+  active.postMessage('keep real size');
+}

@@ -1,5 +1,6 @@
 // A planet on a canvas: a program of its own, fed with what hands do, and what it offers to other programs. Of a page it
-// knows only what it is told, so that there may be several on one.
+// knows only what it is told, so that there may be several on one. The program is that of miniatures, until its scene is of
+// a planet of real size: then a larger one is fetched and goes on in its place.
 
 // In the order of terrella::Key.
 const keys = ['', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', '+', '-', ' ',
@@ -10,6 +11,8 @@ const scale = () => Math.max(0.5, Math.min(devicePixelRatio || 1, 3));
 
 const fingersPoint = () => matchMedia('(pointer: coarse)').matches;
 
+const rest = milliseconds => new Promise(done => setTimeout(done, milliseconds));
+
 // A value as a link writes it.
 const asText = value => typeof value === 'string' ? value : JSON.stringify(value) ?? String(value);
 
@@ -17,6 +20,9 @@ export class Planet {
   #canvas;
   #around;
   #program = null;      // the module's exports
+  #realSize = null;     // a promise, while the program for planets of real size is on its way
+  #maps = [];           // files of maps of heights: as many as a program keeps, the last one last
+  #begun = false;       // the program has the context
   #context = null;
   #loser = null;        // what gives the context back, while it is given back
   #lost = false;
@@ -38,10 +44,11 @@ export class Planet {
   //   habits()           the panel's, as they were kept
   //   keepHabits(text)   for the next visit
   //   progressed(share), shown(), failed(sentence)
+  //   becameRealSize()   the program for planets of real size was fetched
   constructor(canvas, around) {
     this.#canvas = canvas;
     this.#around = { linkTo: query => '?' + query, firstSize: () => [canvas.clientWidth, canvas.clientHeight],
-      habits: () => '', keepHabits() {}, progressed() {}, shown() {}, failed() {}, ...around };
+      habits: () => '', keepHabits() {}, progressed() {}, shown() {}, failed() {}, becameRealSize() {}, ...around };
     const ready = new Promise((keep, breakIt) => { this.#keepReady = keep; this.#breakReady = breakIt; });
     ready.catch(() => {});  // the surroundings show the sentence; a caller may still ask for it
     this.api = this.#offers(ready);
@@ -57,7 +64,7 @@ export class Planet {
     this.#around.progressed(0.1);
     // To ask for a context is to wait until the driver has set itself up: a program that is nearly here comes first, and
     // the driver does so while one is on its way that is not.
-    await Promise.race([coming, new Promise(done => setTimeout(done, 200))]).catch(() => {});
+    await Promise.race([coming, rest(200)]).catch(() => {});
     this.#size(...this.#around.firstSize());
     this.#context = this.#canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false, powerPreference: 'high-performance' });
     if (!this.#context) {
@@ -75,12 +82,47 @@ export class Planet {
     this.showPanel();
     this.setClock();
     this.#describe();
-    const hand = { canvas: this.#canvas, program: this.#program, wake: () => this.#wake() };
+    const hand = { canvas: this.#canvas, call: (name, ...values) => this.#program['_terrella_' + name](...values), wake: () => this.#wake() };
     this.#screenKeys = new ScreenKeys(hand);
     listenToPointers(hand, this.#screenKeys);
     listenToKeys(hand, this.#canvas);
     this.#listenToDrops();
     new ResizeObserver(() => this.fit()).observe(this.#canvas);
+    // Who comes for a planet of real size is shown no other, unless it takes long: two sets of shaders take the driver longer.
+    await Promise.race([this.#realSize, rest(1000)]);
+    if (!this.#begun) this.#begin();
+  }
+
+  // The program for planets of real size takes the place of the one that is here, which goes on until then. It draws miniatures
+  // as well, so that there is no way back.
+
+  #wantRealSize() {
+    this.#realSize ??= this.#becomeRealSize().catch(error => {
+      this.#note([`The program for planets of real size could not be fetched, so that the ground near the eye stays coarse: ${error.message}`]);
+    }).finally(() => {
+      this.#realSize = null;
+      this.#wake();
+    });
+  }
+
+  async #becomeRealSize() {
+    const module = await import('./terrella_real_size.js');
+    const program = await module.default(this.#host());
+    // Maps first, those as well that a hand gives meanwhile; then the rest at once, while no hand holds anything.
+    const given = new Set();
+    for (;;) {
+      const file = this.#maps.find(map => !given.has(map));
+      if (file) {
+        given.add(file);
+        await readMap(file).then(map => giveMap(program, map, false)).catch(() => {});  // the file may have gone
+      } else if (this.#program._terrella_hands_rest()) break;
+      else await rest(50);
+    }
+    const all = this.#text('hand_over');
+    this.#program._terrella_context_lost();  // for this one: the next finds nothing in it, and the picture stays on screen
+    this.#program = program;
+    this.#call('take_over', ['string'], [all]);
+    this.#around.becameRealSize();
     this.#begin();
   }
 
@@ -176,7 +218,7 @@ export class Planet {
     this.#screenKeys.follow();
     const [drawn, again, whole, bare] = [1, 2, 4, 8].map(bit => ((result - 1) & bit) !== 0);
     if (drawn && !bare) this.#around.shown();
-    if (whole) this.#keepReady();
+    if (whole && !this.#realSize) this.#keepReady();
     if (again) this.#wake();
   }
 
@@ -184,6 +226,7 @@ export class Planet {
   // was lost before there was a program.
   #begin() {
     if (!this.#program || !this.#canDraw()) return;
+    this.#begun = true;
     this.fit();
     if (!this.#program._terrella_start()) {
       return this.#fail('Terrella draws into float textures, which this graphics driver does not offer.');
@@ -230,30 +273,17 @@ export class Planet {
   }
 
   async #loadFile(file) {
-    if (/\.pfm$/i.test(file.name)) this.#takeMap(file.name, new Uint8Array(await file.arrayBuffer()));
-    else if (file.type.startsWith('image/')) await this.#loadPicture(file);
+    if (isPFM(file) || file.type.startsWith('image/')) await this.#loadMap(file);
     else this.#note(this.#sentences('load_json', await file.text()));
     this.#wake();
   }
-  // As the browser reads it: 8 bits, heights and no colours.
-  async #loadPicture(file) {
-    const asItStands = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' };
-    const picture = await createImageBitmap(file, asItStands).catch(() => null);
-    if (!picture) return this.#note([`${file.name}: is no picture that this browser can read.`]);
-    const { width, height } = picture;
-    const canvas = document.createElement('canvas');
-    Object.assign(canvas, { width, height });
-    const context = canvas.getContext('2d');
-    context.drawImage(picture, 0, 0);
-    this.#takeMap(file.name, context.getImageData(0, 0, width, height).data, width, height);
-  }
-  #takeMap(name, bytes, width = bytes.length, height = 0) {
-    const at = this.#program._malloc(bytes.length);
-    if (!at) return this.#note([`${name}: is larger than the memory of this page.`]);
-    this.#program.HEAPU8.set(bytes, at);
-    const sentence = this.#call('take_map', ['string', 'number', 'number', 'number'], [name, at, width, height], 'string');
-    this.#program._free(at);
-    if (sentence) this.#note([sentence]);
+  async #loadMap(file) {
+    try {
+      giveMap(this.#program, await readMap(file), true);
+      this.#maps = [...this.#maps.filter(known => known.name !== file.name), file].slice(-4);
+    } catch (error) {
+      this.#note([error.message]);
+    }
   }
   #note(sentences) { for (const sentence of sentences) this.#call('add_notice', ['string'], [sentence]); }
 
@@ -274,6 +304,7 @@ export class Planet {
       },
       // Not on an iPhone, nor in a frame that may not.
       onFillScreen: document.fullscreenEnabled && this.#canvas.requestFullscreen ? () => this.#fillScreen() : null,
+      onWantRealSize: () => this.#wantRealSize(),
       onKeepHabits: text => this.#around.keepHabits(text),
       onSavePicture: wish => this.#screenshot(wish).then(blob => save(blob, 'planet.png')),
     };
@@ -293,7 +324,8 @@ export class Planet {
 
   async #screenshot({ width = this.#canvas.width, height = this.#canvas.height, transparent = false } = {}) {
     const most = this.#call('largest_picture', [], [], 'number');
-    if (!this.#canDraw() || this.#asleep) throw new Error('The planet has no graphics context at the moment, so that it cannot draw.');
+    await this.#realSize;
+    if (!this.#begun || !this.#canDraw() || this.#asleep) throw new Error('The planet has no graphics context at the moment, so that it cannot draw.');
     for (const side of [width, height]) {
       if (!Number.isInteger(side) || side < 1 || side > most) {
         throw new Error(`A screenshot's width and height are whole numbers, 1 to ${most}; ${side} is not.`);
@@ -363,6 +395,39 @@ function copiedByField(text, canvas) {
   return done;
 }
 
+// Maps of heights. What is wrong with one is an Error with a sentence.
+
+const isPFM = file => /\.pfm$/i.test(file.name);
+
+async function readMap(file) {
+  if (!isPFM(file)) return readPicture(file);
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  return { name: file.name, bytes, width: bytes.length, height: 0 };
+}
+
+// As the browser reads it: 8 bits, heights and no colours.
+async function readPicture(file) {
+  const asItStands = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' };
+  const picture = await createImageBitmap(file, asItStands).catch(() => null);
+  if (!picture) throw new Error(`${file.name}: is no picture that this browser can read.`);
+  const { width, height } = picture;
+  const canvas = document.createElement('canvas');
+  Object.assign(canvas, { width, height });
+  const context = canvas.getContext('2d');
+  context.drawImage(picture, 0, 0);
+  return { name: file.name, bytes: context.getImageData(0, 0, width, height).data, width, height };
+}
+
+// atOnce: the scene takes it, else those do that name it.
+function giveMap(program, { name, bytes, width, height }, atOnce) {
+  const at = program._malloc(bytes.length);
+  if (!at) throw new Error(`${name}: is larger than the memory of this page.`);
+  program.HEAPU8.set(bytes, at);
+  const sentence = program.ccall('terrella_take_map', 'string', ['string', 'number', 'number', 'number', 'number'], [name, at, width, height, atOnce ? 1 : 0]);
+  program._free(at);
+  if (sentence) throw new Error(sentence);
+}
+
 function save(blob, name) {
   const anchor = document.createElement('a');
   anchor.href = URL.createObjectURL(blob);
@@ -375,7 +440,7 @@ function save(blob, name) {
 
 const buttonOf = event => ({ 0: 0, 1: 2, 2: 1 })[event.button] ?? 0;
 
-function listenToPointers({ canvas, program, wake }, screenKeys) {
+function listenToPointers({ canvas, call, wake }, screenKeys) {
   const fingers = new Map();
   const place = event => {
     const box = canvas.getBoundingClientRect();
@@ -393,11 +458,11 @@ function listenToPointers({ canvas, program, wake }, screenKeys) {
       fingers.set(event.pointerId, at);
       const after = twoFingers();
       const turned = after.angle - before.angle, twist = Math.atan2(Math.sin(turned), Math.cos(turned));
-      program._terrella_pinch(after.span / before.span, twist, after.x - before.x, after.y - before.y, after.x, after.y);
+      call('pinch', after.span / before.span, twist, after.x - before.x, after.y - before.y, after.x, after.y);
     } else if (fingers.size < 2) {
       if (fingers.has(event.pointerId)) fingers.set(event.pointerId, at);
-      else program._terrella_pointer_is_finger(0);
-      program._terrella_pointer_moved(...at);
+      else call('pointer_is_finger', 0);
+      call('pointer_moved', ...at);
     }
   };
   const down = event => {
@@ -410,32 +475,32 @@ function listenToPointers({ canvas, program, wake }, screenKeys) {
     const at = place(event);
     if (event.pointerType === 'touch') fingers.set(event.pointerId, at);
     if (fingers.size > 1) {
-      program._terrella_pointer_left();  // the first finger presses nothing: it was the beginning of this
-      program._terrella_pointer_button(0, 0);
+      call('pointer_left');  // the first finger presses nothing: it was the beginning of this
+      call('pointer_button', 0, 0);
     } else {
-      program._terrella_pointer_is_finger(event.pointerType === 'touch' ? 1 : 0);
-      program._terrella_pointer_moved(...at);
-      program._terrella_pointer_button(buttonOf(event), 1);
+      call('pointer_is_finger', event.pointerType === 'touch' ? 1 : 0);
+      call('pointer_moved', ...at);
+      call('pointer_button', buttonOf(event), 1);
     }
   };
   const up = event => {
     const wasPinch = fingers.size > 1;
     fingers.delete(event.pointerId);
-    if (!wasPinch) program._terrella_pointer_button(buttonOf(event), 0);
-    if (event.pointerType === 'touch') program._terrella_pointer_left();
+    if (!wasPinch) call('pointer_button', buttonOf(event), 0);
+    if (event.pointerType === 'touch') call('pointer_left');
     screenKeys.pressed(event);
   };
   const wheel = event => {
     event.preventDefault();
     const lines = event.deltaMode === 1 ? event.deltaY / 3 : event.deltaMode === 2 ? event.deltaY : event.deltaY / 100;
-    program._terrella_wheel(-Math.max(-4, Math.min(4, lines)));
+    call('wheel', -Math.max(-4, Math.min(4, lines)));
   };
   const on = (name, act, options) => canvas.addEventListener(name, event => { act(event); wake(); }, options);
   on('pointerdown', down);
   on('pointermove', moved);
   on('pointerup', up);
   on('pointercancel', up);
-  on('pointerleave', () => program._terrella_pointer_left());
+  on('pointerleave', () => call('pointer_left'));
   on('wheel', wheel, { passive: false });
   canvas.addEventListener('contextmenu', event => event.preventDefault());
 }
@@ -470,12 +535,12 @@ class ScreenKeys {
     this.#byFinger = event.pointerType === 'touch';
     if (!this.#byFinger) return;
     Object.assign(this.#field.style, { left: event.clientX + 'px', top: event.clientY + 'px' });
-    if (this.#hand.program._terrella_wants_text()) this.#show();
+    if (this.#hand.call('wants_text')) this.#show();
   }
 
   // After a frame, in which the panel may have begun or ended to wait for text.
   follow() {
-    const wanted = this.#byFinger && this.#hand.program._terrella_wants_text() === 1;
+    const wanted = this.#byFinger && this.#hand.call('wants_text') === 1;
     if (wanted && !this.shown) this.#show();
     if (!wanted && this.shown) this.#hide();
   }
@@ -501,9 +566,9 @@ class ScreenKeys {
     const before = [...this.#before], now = [...this.#field.value];
     let same = 0;
     while (same < before.length && before[same] === now[same]) ++same;
-    const backspace = keys.indexOf('Backspace'), { program, wake } = this.#hand;
-    for (let i = same; i < before.length; ++i) for (const down of [1, 0]) program._terrella_key(backspace, down, 0, 0);
-    for (const letter of now.slice(same)) program._terrella_text(letter.codePointAt(0));
+    const backspace = keys.indexOf('Backspace'), { call, wake } = this.#hand;
+    for (let i = same; i < before.length; ++i) for (const down of [1, 0]) call('key', backspace, down, 0, 0);
+    for (const letter of now.slice(same)) call('text', letter.codePointAt(0));
     this.#before = this.#field.value;
     if (now.length < 4) this.#empty();
     wake();
@@ -511,15 +576,15 @@ class ScreenKeys {
 }
 
 // element: the canvas, or what has the focus in its place.
-function listenToKeys({ canvas, program, wake }, element) {
+function listenToKeys({ canvas, call, wake }, element) {
   const key = down => event => {
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     // On some keyboards digits are printed above what their keys write.
     const digit = /^Digit([123])$/.exec(event.code)?.[1];
     const index = Math.max(0, keys.indexOf(name === '=' ? '+' : digit ?? name));
     const control = event.ctrlKey || event.metaKey;
-    const used = program._terrella_key(index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
-    if (down && event.key.length === 1 && !control) program._terrella_text(event.key.codePointAt(0));
+    const used = call('key', index, down ? 1 : 0, event.shiftKey ? 1 : 0, control ? 1 : 0);
+    if (down && event.key.length === 1 && !control) call('text', event.key.codePointAt(0));
     // The browser would search, scroll or open a list of its own.
     const ours = control ? name === 'z' || name === 'y' : index > 0 || event.key.length === 1;
     if (ours && (used || event.key !== 'Tab')) event.preventDefault();
@@ -528,5 +593,5 @@ function listenToKeys({ canvas, program, wake }, element) {
   element.addEventListener('keydown', key(true));
   element.addEventListener('keyup', key(false));
   // Where the focus has gone somebody else hears of the key that goes up.
-  element.addEventListener('blur', () => { canvas.removeAttribute('data-by-hand'); program._terrella_keys_left(); wake(); });
+  element.addEventListener('blur', () => { canvas.removeAttribute('data-by-hand'); call('keys_left'); wake(); });
 }
