@@ -33,7 +33,7 @@ class Choice {
       Quarters quarters;
       bool splits = distance.to_split < look_ahead * wanted &&
                     find_quarters(node, distance.to_split, !should_split, quarters) && should_split;
-      splits = splits && !(waits_ && has_coarser_around(slot));
+      splits = splits && !has_coarser_around(slot);
       waits_ = waits_ || (should_split && !splits);
       if (splits) {
         for (const int quarter : quarters) add_visible(quarter);
@@ -56,8 +56,10 @@ class Choice {
   [[nodiscard]] unsigned coarse_around(int slot) const {
     unsigned coarse = 0;
     const NodeCache::Entry& entry = cache_.at(slot);
-    // With a little to spare, as the longest side of few nodes is longer than NodeGrid tells.
-    const double begins = 0.95 * ranges_.morph_end() * grid_.edge(entry.node.level);
+    // None that has a place in common with it is as far as that. To spare: by so much are the rhombi around a corner of
+    // the cube wider than a square.
+    constexpr double to_spare = 0.75;
+    const double begins = (ranges_.morph_end() - to_spare) * grid_.edge(entry.node.level);
     const double farthest = std::hypot(eye_.lift, farthest_from(entry.frame.outline, eye_.direction));
     if (!waits_ && farthest < begins) return coarse;
     for (const NodeBeside& beside : entry.frame.around) {
@@ -140,7 +142,7 @@ class Choice {
   const NodeRanges& ranges_;
   NodeCache& cache_;
   NodeChoice& choice_;
-  bool waits_ = false;  // whether a node is not split that should be: else no two side by side differ by two levels
+  bool waits_ = false;  // whether a node is not split that should be
 };
 
 }  // namespace
