@@ -149,7 +149,9 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
              terrain.model > 1 ? "terrain.model asks for it"
              : needs.ground == Ground::icosphere
                  ? "a miniature: one mesh shows all of it"
-                 : "the planet is of real size: from 10 km of radius on, and mountains below a fiftieth of it");
+                 : "the planet is of real size, from 10 km of radius on with mountains below a fiftieth of it: of the "
+                   "three ways to divide it the one with the fewest nodes, and with room for a pixel's error from "
+                   "everywhere");
   decide_map(needs, scene, decide);
   if (has_real_size && has_nodes(needs.ground)) return decide_nodes(needs, scene, pose, decide);
 
