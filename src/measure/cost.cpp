@@ -129,6 +129,16 @@ void add_shells(Sum& sum, const Needs& needs) {
   }
 }
 
+// A grid around the eye gives way to the next in pictures for which all is drawn twice.
+void add_fade(Cost& cost, std::int64_t target_bytes) {
+  cost.programs.emplace_back("picture/overlay");
+  cost.triangles *= 2;
+  cost.draw_calls = 2 * cost.draw_calls + 1;
+  cost.noise_evaluations *= 2;
+  cost.gpu_bytes += target_bytes;
+  cost.textures += 1;
+}
+
 }  // namespace
 
 Cost promised_cost(const Needs& needs, const View& view, int bytes_a_pixel) {
@@ -152,6 +162,7 @@ Cost promised_cost(const Needs& needs, const View& view, int bytes_a_pixel) {
   const int layers = needs.pixel_octaves_end - needs.pixel_octaves_first + needs.ripple_layers + needs.cloud_pixel_end -
                      needs.cloud_pixel_first;
   cost.noise_evaluations = pixels * layers;
+  if (needs.ground == Ground::persistent_grid) add_fade(cost, pixels * (bytes_a_pixel + depth_bytes));
   return cost;
 }
 

@@ -115,7 +115,9 @@ void Renderer::choose_techniques(Effort effort) {
   night_.choose(needs_.night);
   sun_.choose(needs_.sun);
   rings_.choose(needs_.rings, spheres_);
-  if (has_real_size && needs_.ground == Ground::persistent_grid && !fade_) fade_.emplace();
+  const bool may_fade = has_real_size && needs_.ground == Ground::persistent_grid;
+  if (!may_fade) fade_.reset();
+  if (may_fade && !fade_) fade_.emplace();
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
   if (clouds_) clouds_->want(needs_);
@@ -173,9 +175,7 @@ void Renderer::draw_rows(const Rows& rows) {
   picture_.light_changed();
 }
 
-double Renderer::part_before() const {
-  return has_real_size && ground_ ? ground_->part_before() : 0.0;
-}
+double Renderer::part_before() const { return has_real_size && ground_ ? ground_->part_before() : 0.0; }
 
 void Renderer::draw_light(const Frame& frame) {
   draw_opaque();
