@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
 import { sleep, until } from './browser.mjs';
-import { look, settled, testSite } from './site.mjs';
+import { look, loseContext, settled, testSite } from './site.mjs';
 
 const site = testSite();
 const open = site.open;
@@ -220,13 +220,7 @@ describe('the page', () => {
 
   test('comes back after its context was lost, with the same scene', async () => {
     const page = await open('?panel=0&pause=1&preset=moon');
-    await page.evaluate(() => {
-      window.loser = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
-      loser.loseContext();
-    });
-    await sleep(300);
-    await page.evaluate(() => loser.restoreContext());
-    await until(page, frames => terrella.stats().frames > frames, await page.evaluate(() => terrella.stats().frames));
+    await loseContext(page);
     assert.equal(await page.evaluate(() => terrella.scene().preset), 'moon');
     const seen = await look(page);
     assert.ok(seen.brightness > 0.02, JSON.stringify(seen));
@@ -368,7 +362,7 @@ describe('the page', () => {
   };
 
   test('shows the presets in pictures, drawn once their list is open', async () => {
-    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 1000 } });
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 1100 } });
     const textures = () => page.evaluate(() => terrella.stats().textures);
     await sleep(500);
     const before = await textures();

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { sleep, until } from './browser.mjs';
-import { look, settled, testSite } from './site.mjs';
+import { look, loseContext, settled, testSite } from './site.mjs';
 
 const site = testSite();
 const open = site.open;
@@ -166,13 +166,7 @@ describe('a planet of real size', () => {
 
   test('has its context taken and given back like any other', async () => {
     const page = await open('?preset=blue&panel=0' + quick);
-    await page.evaluate(() => {
-      window.loser = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
-      loser.loseContext();
-    });
-    await sleep(300);
-    await page.evaluate(() => loser.restoreContext());
-    await until(page, frames => terrella.stats().frames > frames, await page.evaluate(() => terrella.stats().frames));
+    await loseContext(page);
     await settled(page);
     const seen = await look(page);
     assert.ok(seen.brightness > 0.03 && seen.colors > 500, JSON.stringify(seen));

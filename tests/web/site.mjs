@@ -88,3 +88,14 @@ export async function look(page, selector, clip) {
     return { brightness: sum / pixels.length / 0.75 / 255, colors: colors.size };
   }, png);
 }
+
+// Takes the planet's context away, gives it back, and waits for a picture.
+export async function loseContext(page) {
+  await page.evaluate(() => {
+    window.loser = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    loser.loseContext();
+  });
+  await sleep(300);
+  await page.evaluate(() => loser.restoreContext());
+  await until(page, frames => terrella.stats().frames > frames, await page.evaluate(() => terrella.stats().frames));
+}
