@@ -1,20 +1,11 @@
 #include "passes/light_fade.hpp"
 
+#include "passes/light_target.hpp"
+
 namespace terrella {
 
 void LightFade::begin(const gl::Image& other) {
-  const gl::Image* image = picture_ ? &picture_->image() : nullptr;
-  if (image == nullptr || image->width() != other.width() || image->height() != other.height() ||
-      image->format() != other.format()) {
-    picture_.reset();
-    picture_ = std::make_unique<gl::Target>(other.width(), other.height(), other.format(), true);
-  }
-  picture_->begin();
-  const float empty_sky[] = {0.0F, 0.0F, 0.0F, 0.0F};
-  const float farthest = 0.0F;
-  glDepthMask(GL_TRUE);
-  glClearBufferfv(GL_COLOR, 0, empty_sky);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  begin_light_target(picture_, other.width(), other.height(), other.format(), 0.0F);
 }
 
 void LightFade::blend(const gl::Target& other, double part) {

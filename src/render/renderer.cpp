@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "formulas/formulas.hpp"
 #include "gl/caps.hpp"
+#include "passes/light_target.hpp"
 #include "planet/real_size.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -260,20 +261,10 @@ void Renderer::set_maps(const Frame& frame) {
 void Renderer::begin_light(const View& view, const Shot& shot) {
   const gl::Format format =
       shot.full_float && gl::caps().full_float_targets ? gl::Format::rgba32f : gl::Format::rgba16f;
-  if (!light_ || light_->image().width() != view.width || light_->image().height() != view.height ||
-      light_->image().format() != format) {
-    light_.reset();
-    light_ = std::make_unique<gl::Target>(view.width, view.height, format, true);
-  }
-  light_->begin();
   const float sky = shot.channel == Channel::distance || shot.channel == Channel::height
                         ? std::numeric_limits<float>::infinity()
                         : 0.0F;
-  const float clear[] = {sky, sky, sky, 0.0F};  // alpha: how much of the sky is covered
-  const float farthest = 0.0F;                  // depths fall with distance
-  glDepthMask(GL_TRUE);
-  glClearBufferfv(GL_COLOR, 0, clear);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  begin_light_target(light_, view.width, view.height, format, sky);
 }
 
 void Renderer::show(const gl::Screen& screen, bool antialias) {
