@@ -1,12 +1,28 @@
 #include "measure/allocations.hpp"
 
+#ifdef __SANITIZE_ADDRESS__
+#include <cstddef>
+
+// As sanitizer/allocator_interface.h has it, which not every compiler brings along.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, std::size_t),
+                                                         void (*)(const volatile void*));
+#else
 #include <cstdlib>
 #include <new>
+#endif
 
 namespace {
 
 thread_local std::int64_t count = 0;
 
+#ifdef __SANITIZE_ADDRESS__
+// Its operators replace all of the standard library's, some of which would not call those below: it tells by itself.
+void add(const volatile void*, std::size_t) { ++count; }
+void ignore(const volatile void*) {}
+[[maybe_unused]] const int hooks = __sanitizer_install_malloc_and_free_hooks(add, ignore);
+
+}  // namespace
+#else
 void* allocate(std::size_t size) {
   ++count;
   void* const memory = std::malloc(size == 0 ? 1 : size);
@@ -32,6 +48,7 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#endif
 
 namespace terrella {
 
