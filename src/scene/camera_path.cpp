@@ -11,8 +11,8 @@
 namespace terrella {
 namespace {
 
-constexpr std::string_view kVersionKey = "terrella_path", kViewsKey = "views", kTimeKey = "at", kGroup = "camera";
-constexpr std::array<std::string_view, 4> kKeys = {kVersionKey, kViewsKey, "title", "about"};
+constexpr std::string_view kPathKey = "terrella_path", kViewsKey = "views", kTimeKey = "at", kGroup = "camera";
+constexpr std::array<std::string_view, 4> kKeys = {kPathKey, kViewsKey, "title", "about"};
 constexpr double kLatest = 1e9;  // s
 
 // Of a view.
@@ -38,11 +38,11 @@ void check_names(std::span<const Entry> entries, const std::string& where, Issue
 }
 
 void check_version(const JsonReading& reading, Issues& issues) {
-  const auto is_version = [](const Entry& entry) { return entry.path == kVersionKey; };
+  const auto is_version = [](const Entry& entry) { return entry.path == kPathKey; };
   const auto entry = std::find_if(reading.entries.begin(), reading.entries.end(), is_version);
   if (entry == reading.entries.end()) {
-    issues.add(std::string(kVersionKey), text_of("is missing; a path begins with {\"", kVersionKey,
-                                                 "\": ", kPathVersion, ", \"", kViewsKey, "\": […]}."));
+    issues.add(std::string(kPathKey), text_of("is missing; a path begins with {\"", kPathKey, "\": ", kPathVersion,
+                                              ", \"", kViewsKey, "\": […]}."));
   } else if (entry->text != text_of(kPathVersion)) {
     issues.add(entry->path, text_of("version ", shortened(entry->text), " is not known; this program reads version ",
                                     kPathVersion, '.'));

@@ -26,9 +26,9 @@ TEST(FormatNumber, ReadsWell) {
 }
 
 TEST(FormatNumber, SaysWhatIsNotFinite) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(format_number(infinity), "inf");
-  EXPECT_EQ(format_number(-infinity), "-inf");
+  const double endless = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(format_number(endless), "inf");
+  EXPECT_EQ(format_number(-endless), "-inf");
   EXPECT_EQ(format_number(std::nan("")), "nan");
 }
 

@@ -2,13 +2,13 @@
 
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
+#include "laws/rounding.hpp"
 
 namespace terrella {
 namespace {
 
 using test::Places;
-
-constexpr double u = 5.9604644775390625e-8;
+using test::roundoff;
 
 TEST(GridOffset, IsTheCotangentOfTheAngleToReach) {
   Places places(221U);
@@ -55,7 +55,7 @@ TEST(GridRise, KeepsItsDigitsNextToTheBorder) {
     const double next = 0x1p-20;
     const double expected = -std::expm1(n * std::log1p(-next));
     EXPECT_NEAR(f64::one_less_power(1.0 - next, n), expected, 1e-14 * expected);
-    EXPECT_NEAR(f32::one_less_power(1.0F - 0x1p-20F, n), expected, (n + 6) * u * expected);
+    EXPECT_NEAR(f32::one_less_power(1.0F - 0x1p-20F, n), expected, (n + 6) * roundoff * expected);
   }
 }
 
@@ -105,8 +105,8 @@ TEST(GridFromEye, HoldsAHundredthOfAPixelTwoMetresAwayOnAnyPlanet) {
     const double x = r * double{across},
                  down = -r * double{across} * double{across} / 2.0 - double{static_cast<float>(alt)};
     const double distance = std::hypot(x, down);
-    EXPECT_NEAR(rel.x, x, 2.0 * u * distance);
-    EXPECT_NEAR(rel.z, down, 2.0 * u * distance);  // 935 pixels a radian: 1.1e-4 pixels
+    EXPECT_NEAR(rel.x, x, 2.0 * roundoff * distance);
+    EXPECT_NEAR(rel.z, down, 2.0 * roundoff * distance);  // 935 pixels a radian: 1.1e-4 pixels
   }
 }
 

@@ -2,13 +2,13 @@
 
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
+#include "laws/rounding.hpp"
 
 namespace terrella {
 namespace {
 
 using test::Places;
-
-constexpr double u = 5.9604644775390625e-8;
+using test::roundoff;
 
 TEST(HalfAngles, ArcTangentAndTangentAreTheLibrarysInSinglePrecision) {
   double worst_arc = 0.0, worst_tangent = 0.0;
@@ -31,7 +31,7 @@ TEST(HalfAngles, AngleOfAPointIsInEveryQuadrantThatOfTheLibrary) {
     const double size = std::pow(10.0, places.between(-6.0, 6.0));
     const float x = static_cast<float>(places.between(-size, size)), y = static_cast<float>(places.between(-1.0, 1.0));
     const double expected = std::atan2(double{y}, double{x});
-    ASSERT_NEAR(f32::angle_of(y, x), expected, 8.0 * u * std::fabs(expected)) << y << " " << x;
+    ASSERT_NEAR(f32::angle_of(y, x), expected, 8.0 * roundoff * std::fabs(expected)) << y << " " << x;
     ASSERT_NEAR(f64::angle_of(double{y}, double{x}), expected, 1e-14);
   }
   EXPECT_EQ(f64::angle_of(0.0, 0.0), 0.0);
@@ -52,7 +52,7 @@ TEST(HalfAngles, AngleBetweenVectorsHoldsNearNothingAndNearAHalfTurn) {
     const glm::vec3 c(size * a), d(size * b);  // their own angle is what single precision is held to
     const double own = f64::angle_between(glm::dvec3(c), glm::dvec3(d));
     const double lengths = std::fabs(glm::length(glm::dvec3(c)) / glm::length(glm::dvec3(d)) - 1.0);
-    ASSERT_NEAR(f32::angle_between(c, d), own, 8.0 * u * (own + lengths));
+    ASSERT_NEAR(f32::angle_between(c, d), own, 8.0 * roundoff * (own + lengths));
   }
   const glm::dvec3 v(0.3, -0.4, 0.5);
   EXPECT_EQ(f64::angle_between(v, v), 0.0);

@@ -2,13 +2,13 @@
 
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
+#include "laws/rounding.hpp"
 
 namespace terrella {
 namespace {
 
 using test::Places;
-
-constexpr double u = 5.9604644775390625e-8;
+using test::roundoff;
 constexpr double earth = 6.36e6;
 
 TEST(Horizon, LineOfSightAndRadiusMakeARightAngle) {
@@ -25,7 +25,7 @@ TEST(Horizon, LineOfSightAndRadiusMakeARightAngle) {
 TEST(Horizon, HoldsATenthOfAMillimetreAboveTheEarth) {
   const double expected = std::sqrt(2.0 * 1e-4 / earth);  // to a part of alt / r
   EXPECT_NEAR(f64::cap_angle(earth, 1e-4), expected, 1e-9 * expected);
-  EXPECT_NEAR(f32::cap_angle(6.36e6F, 1e-4F), expected, 8.0 * u * expected);
+  EXPECT_NEAR(f32::cap_angle(6.36e6F, 1e-4F), expected, 8.0 * roundoff * expected);
   EXPECT_EQ(f32::cap_angle(6.36e6F, 0.0F), 0.0F);
 }
 

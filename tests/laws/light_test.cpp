@@ -3,11 +3,13 @@
 #include <vector>
 
 #include "formulas/formulas.hpp"
+#include "laws/equal.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
 namespace {
 
+using test::expect_equal;
 using test::Places;
 
 constexpr double top = 1.1;
@@ -33,10 +35,6 @@ const glm::dvec3 sun(0.0, 0.0, 1.0);
 
 // A place over which the sun stands so high.
 glm::dvec3 place_under(double climb) { return {std::sqrt(1.0 - climb * climb), 0.0, climb}; }
-
-void expect_equal(const glm::dvec3& a, const glm::dvec3& b, double bound = 1e-12) {
-  EXPECT_LE(glm::distance(a, b), bound) << a.x << " " << a.y << " " << a.z << ", " << b.x << " " << b.y << " " << b.z;
-}
 
 // A ray from an eye that passes the planet's centre at a distance.
 glm::dvec3 ray_past(double eye_distance, double nearest) {

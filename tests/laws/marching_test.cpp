@@ -2,13 +2,13 @@
 
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
+#include "laws/rounding.hpp"
 
 namespace terrella {
 namespace {
 
 using test::Places;
-
-constexpr double u = 5.9604644775390625e-8;
+using test::roundoff;
 
 TEST(MeanTransmittance, TimesTheDepthIsWhatIsAbsorbed) {
   for (double x = 1e-12; x < 700.0; x *= 1.01) {
@@ -20,8 +20,8 @@ TEST(MeanTransmittance, TimesTheDepthIsWhatIsAbsorbed) {
     }
     const float y = static_cast<float>(x);
     const double absorbed = -std::expm1(-double{y});
-    ASSERT_NEAR(f32::absorbed_share(y), absorbed, 8.0 * u * absorbed);
-    ASSERT_NEAR(f32::mean_transmittance(y), absorbed / double{y}, 8.0 * u * absorbed / double{y});
+    ASSERT_NEAR(f32::absorbed_share(y), absorbed, 8.0 * roundoff * absorbed);
+    ASSERT_NEAR(f32::mean_transmittance(y), absorbed / double{y}, 8.0 * roundoff * absorbed / double{y});
   }
   EXPECT_EQ(f64::mean_transmittance(0.0), 1.0);
   EXPECT_EQ(f32::mean_transmittance(0.0F), 1.0F);

@@ -14,7 +14,9 @@ namespace {
 
 using test::Places;
 
-double noise(const glm::dvec3& q, unsigned seed = 1U) { return f64::simplex_noise(glm::ivec3(0), q, seed).value; }
+double value_of_noise(const glm::dvec3& q, unsigned seed = 1U) {
+  return f64::simplex_noise(glm::ivec3(0), q, seed).value;
+}
 
 TEST(NoiseLaws, SinglePrecisionIsContinuousOverCellBordersToo) {
   Places places(271U);
@@ -59,7 +61,7 @@ std::vector<double> spectrum_along(const glm::dvec3& direction, int lines, unsig
     const glm::dvec3 start = places.in_cube(100.0);
     for (int i = 0; i < samples; ++i) {
       values[static_cast<std::size_t>(i)] =
-          window[static_cast<std::size_t>(i)] * noise(start + (i * spacing) * direction);
+          window[static_cast<std::size_t>(i)] * value_of_noise(start + (i * spacing) * direction);
     }
     for (std::size_t k = 0; k < power.size(); ++k) {
       double real = 0.0, imaginary = 0.0;
@@ -124,7 +126,7 @@ TEST(NoiseLaws, HasNoPeriodThatIsSeen) {
       double most = 0.0;
       for (int i = 0; i < 3000; ++i) {
         const glm::dvec3 q = places.in_cube(50.0);
-        most = std::fmax(most, std::fabs(noise(q + step) - noise(q)));
+        most = std::fmax(most, std::fabs(value_of_noise(q + step) - value_of_noise(q)));
       }
       EXPECT_GT(most, 1.0) << shift << " along " << axis;
     }

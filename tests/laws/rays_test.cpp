@@ -2,13 +2,13 @@
 
 #include "formulas/formulas.hpp"
 #include "laws/random_places.hpp"
+#include "laws/rounding.hpp"
 
 namespace terrella {
 namespace {
 
 using test::Places;
-
-constexpr double u = 5.9604644775390625e-8;
+using test::roundoff;
 
 TEST(RaySphere, RootsLieOnTheSphereInOrder) {
   Places places(231U);
@@ -62,12 +62,12 @@ TEST(RayShell, IsARayAndASphereToldByAltitudes) {
 TEST(RayShell, KeepsCentimetresAtTheEarthAndFromFarAway) {
   // Straight down and up: the roots are differences of altitudes.
   const f32::Roots down = f32::ray_shell(6.36e6F, 0.5F, -1.0F, 0.1F);
-  EXPECT_NEAR(down.t0, double{0.5F} - double{0.1F}, 16.0 * u * 0.4);
+  EXPECT_NEAR(down.t0, double{0.5F} - double{0.1F}, 16.0 * roundoff * 0.4);
   const f32::Roots up = f32::ray_shell(6.36e6F, 0.1F, 1.0F, 0.5F);
-  EXPECT_NEAR(up.t1, double{0.5F} - double{0.1F}, 16.0 * u * 0.4);
+  EXPECT_NEAR(up.t1, double{0.5F} - double{0.1F}, 16.0 * roundoff * 0.4);
   const f32::Roots far = f32::ray_shell(6.36e6F, 1e9F, -1.0F, 0.0F);
-  EXPECT_NEAR(far.t0, 1e9, 16.0 * u * 1e9);
-  EXPECT_NEAR(far.t1, 1e9 + 2.0 * 6.36e6, 16.0 * u * 1e9);
+  EXPECT_NEAR(far.t0, 1e9, 16.0 * roundoff * 1e9);
+  EXPECT_NEAR(far.t1, 1e9 + 2.0 * 6.36e6, 16.0 * roundoff * 1e9);
   EXPECT_FALSE(f32::ray_shell(6.36e6F, 1e5F, 0.0F, 0.0F).met);
 }
 

@@ -1,16 +1,16 @@
 #include <gtest/gtest.h>
 
 #include "formulas/formulas.hpp"
+#include "laws/equal.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
 namespace {
 
+using test::expect_equal;
 using test::Places;
 
 const glm::dvec3 tint(0.9, 0.6, 0.3);
-
-void expect_equal(const glm::dvec3& a, const glm::dvec3& b) { EXPECT_LE(glm::distance(a, b), 1e-12); }
 
 TEST(SoftDisc, IsBrightestInTheMiddleAndNoneFromTwoRadiiOn) {
   EXPECT_NEAR(f64::soft_disc(0.0), 1.0, 1e-3);
@@ -129,11 +129,11 @@ f64::SceneLight with_sun(const glm::dvec3& sun) {
   return scene;
 }
 
-const glm::dvec3 place(0.0, 0.0, 1.0);
+const glm::dvec3 town_place(0.0, 0.0, 1.0);
 constexpr double pixel = 1e-3;
 
 f64::TownLight town(const glm::dvec3& offset, double brightness = 1.0, double all = 1.0) {
-  return f64::town_light(place, offset, brightness, tint, all, pixel, with_sun(-place));
+  return f64::town_light(town_place, offset, brightness, tint, all, pixel, with_sun(-town_place));
 }
 
 TEST(TownLight, FromNearIsAsWideAsATownAndOfTheSameLight) {
@@ -158,7 +158,7 @@ TEST(TownLight, IsInProportionToItsBrightnessAndOnlyOnTheNightSide) {
   expect_equal(town({0.0, 0.0, -1.0}, 0.3, 2.0).light, 0.6 * town({0.0, 0.0, -1.0}).light);
   for (const double climb : {-0.5, -0.03, 0.0, 0.2}) {
     const f64::SceneLight scene = with_sun({std::sqrt(1.0 - climb * climb), 0.0, climb});
-    expect_equal(f64::town_light(2.0 * place, {0.0, 0.0, -1.0}, 1.0, tint, 1.0, pixel, scene).light,
+    expect_equal(f64::town_light(2.0 * town_place, {0.0, 0.0, -1.0}, 1.0, tint, 1.0, pixel, scene).light,
                  4.0 * f64::night_share(climb) * tint);
   }
 }

@@ -2,11 +2,13 @@
 
 #include "formulas/formulas.hpp"
 #include "laws/bare_scene.hpp"
+#include "laws/equal.hpp"
 #include "laws/random_places.hpp"
 
 namespace terrella {
 namespace {
 
+using test::expect_equal;
 using test::Places;
 
 f64::WaterLook some_look() {
@@ -31,10 +33,6 @@ const glm::dvec3 zenith(0.0, 0.0, 1.0);
 glm::dvec3 risen(double sine, double side = 1.0) { return {side * std::sqrt(1.0 - sine * sine), 0.0, sine}; }
 
 const glm::dvec2 turn(std::cos(0.7), std::sin(0.7));
-
-void expect_equal(const glm::dvec3& a, const glm::dvec3& b, double bound = 1e-12) {
-  EXPECT_LE(glm::distance(a, b), bound) << a.x << " " << a.y << " " << a.z << ", " << b.x << " " << b.y << " " << b.z;
-}
 
 TEST(Ripples, BeginWithNoneAndGrowFinerGentlerAndQuickerByLayers) {
   f64::Ripples r = f64::no_ripples(40.0, turn);

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <ostream>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -45,6 +46,13 @@ inline GridNode random_node(const NodeGrid& grid, Places& places, int level) {
   while (node.level < level) node = grid.children_of(node).at(some(4));
   return node;
 }
+
+// An order of directions, so that they can be kept in sets and maps.
+struct LessDirection {
+  bool operator()(const glm::dvec3& a, const glm::dvec3& b) const {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  }
+};
 
 // Of a patch's vertices, in their order.
 inline std::vector<glm::dvec3> directions_of(const NodeGrid& grid, const NodePatch& patch, const GridNode& node) {

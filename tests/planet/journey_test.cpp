@@ -13,7 +13,7 @@
 namespace terrella {
 namespace {
 
-Scene bare() {
+Scene bare_planet() {
   Scene scene;
   scene.terrain.model = scene.water.model = 0;
   return scene;
@@ -39,7 +39,7 @@ const std::vector<PathView> round_trip = {view(0.0, 0.0, 5.0), view(20.0, 10.0, 
 TEST(Journey, LeadsThroughItsViewsAtTheirTimes) {
   std::vector<PathView> views = round_trip;
   for (std::size_t i = 0; i < views.size(); ++i) views[i].at = 4.0 * static_cast<double>(i * i);
-  const Journey journey(bare(), views);
+  const Journey journey(bare_planet(), views);
   EXPECT_EQ(journey.seconds(), 64.0);
   EXPECT_EQ(journey.at(0.0), views.front().camera);
   EXPECT_EQ(journey.at(64.0), views.back().camera);
@@ -52,7 +52,7 @@ TEST(Journey, LeadsThroughItsViewsAtTheirTimes) {
 }
 
 TEST(Journey, TakesAsLongAsOneLikesToLookAtIt) {
-  const Journey journey(bare(), std::vector{view(0.0, 0.0, 10.0), view(0.0, 0.0, 0.001), view(0.0, 0.0, 0.001)});
+  const Journey journey(bare_planet(), std::vector{view(0.0, 0.0, 10.0), view(0.0, 0.0, 0.001), view(0.0, 0.0, 0.001)});
   const double down = std::log(1e4) / Glide::curvature;
   EXPECT_NEAR(journey.seconds(), down + 1.0, 1e-12);
   // A second of rest at the end of it.
@@ -61,7 +61,7 @@ TEST(Journey, TakesAsLongAsOneLikesToLookAtIt) {
 }
 
 TEST(Journey, SpreadsTimesThatNobodyTells) {
-  const Scene scene = bare();
+  const Scene scene = bare_planet();
   const Journey journey(
       scene, std::vector{view(0.0, 0.0, 1.0), view(0.0, 0.0, 0.1), view(0.0, 0.0, 0.001, 30.0), view(0.0, 0.0, 0.1)});
   EXPECT_NEAR(journey.at(10.0).altitude, 0.1, 1e-12);  // a third of the logarithms
@@ -73,7 +73,7 @@ TEST(Journey, IsSmooth) {
   std::vector<PathView> views = round_trip;
   views[1].camera.pitch = -20.0;
   views[2].camera.heading = 90.0;
-  const Journey journey(bare(), views);
+  const Journey journey(bare_planet(), views);
   const double step = 1e-3;
   const auto velocity = [&](double at) {
     const Camera a = journey.at(at - 0.5 * step), b = journey.at(at + 0.5 * step);
@@ -94,7 +94,7 @@ TEST(Journey, IsSmooth) {
 }
 
 TEST(Journey, BeginsAndEndsAtRestAndFliesThroughTheRest) {
-  const Journey journey(bare(),
+  const Journey journey(bare_planet(),
                         std::vector{view(0.0, 0.0, 0.1, 0.0), view(0.0, 1.0, 0.1, 4.0), view(0.0, 2.0, 0.1, 8.0)});
   const auto speed = [&](double at) {
     return glm::distance(eye(journey.at(at - 5e-4)), eye(journey.at(at + 5e-4))) / 1e-3;
@@ -110,7 +110,7 @@ TEST(Journey, RestsBetweenViewsFromOnePlace) {
     std::vector<PathView> views = {view(0.0, 0.0, 1.0, 0.0), view(0.0, 0.0, 0.1, 5.0), view(0.0, 0.0, 0.1, 8.0),
                                    view(0.0, 50.0, 0.1, 12.0)};
     views[2].camera.heading = heading;
-    const Journey journey(bare(), views);
+    const Journey journey(bare_planet(), views);
     for (double at = 5.0; at <= 8.0; at += 0.25) {
       EXPECT_LT(glm::distance(eye(journey.at(at)), eye(view(0.0, 0.0, 0.1).camera)), 1e-12);
     }
@@ -129,7 +129,7 @@ TEST(Journey, IsFiniteWhateverItsViews) {
                            std::pow(10.0, places.between(-6.0, 12.0))));
       if (i % 3 == 0 && n > 2) views[static_cast<std::size_t>(n)].camera = views[0].camera;
     }
-    const Journey journey(bare(), views);
+    const Journey journey(bare_planet(), views);
     for (int n = 0; n <= 100; ++n) {
       const Camera at = journey.at(journey.seconds() * n / 100.0);
       ASSERT_TRUE(std::isfinite(at.latitude + at.longitude + at.altitude + at.heading + at.pitch + at.fov));

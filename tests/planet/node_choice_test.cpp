@@ -21,8 +21,8 @@ namespace {
 
 using test::Places;
 
-using Key = std::tuple<int, int, std::uint32_t, std::uint32_t>;
-Key key_of(const GridNode& node) { return {node.face, node.level, node.x, node.y}; }
+using NodeKey = std::tuple<int, int, std::uint32_t, std::uint32_t>;
+NodeKey key_of(const GridNode& node) { return {node.face, node.level, node.x, node.y}; }
 
 // Smooth, so that nodes are made quickly: which of them are chosen depends on distances alone.
 Scene planet(double relief = 1e-3) {
@@ -146,8 +146,8 @@ class NodeChoices : public testing::TestWithParam<test::Grid> {};
 // were looked at.
 int check_sides(const Nodes& nodes) {
   const NodeGrid& grid = nodes.grid();
-  std::set<Key> drawn;
-  std::set<Key> as_above;
+  std::set<NodeKey> drawn;
+  std::set<NodeKey> as_above;
   for (const DrawnNode& each : nodes.drawn()) {
     drawn.insert(key_of(nodes.node(each)));
     if (each.as_above) as_above.insert(key_of(nodes.node(each)));
@@ -208,19 +208,14 @@ struct Rim {
   }
 };
 
-struct Less {
-  bool operator()(const glm::dvec3& a, const glm::dvec3& b) const {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  }
-};
-
 // All around: every vertex that nodes share lies at one place, and every edge of a rim has its other side, but for
 // those around the whole.
 void check_surface(const Nodes& nodes) {
   const NodePatch& patch = nodes.patch();
-  std::map<glm::dvec3, glm::dvec3, Less> places;
+  std::map<glm::dvec3, glm::dvec3, test::LessDirection> places;
   std::map<std::pair<glm::dvec3, glm::dvec3>, std::pair<int, bool>, decltype([](const auto& a, const auto& b) {
-             return Less()(a.first, b.first) || (a.first == b.first && Less()(a.second, b.second));
+             return test::LessDirection()(a.first, b.first) ||
+                    (a.first == b.first && test::LessDirection()(a.second, b.second));
            })>
       edges;
   for (const DrawnNode& drawn : nodes.drawn()) {
@@ -240,7 +235,8 @@ void check_surface(const Nodes& nodes) {
       // Less than a hundredth of a pixel of a thousandth of a radian.
       ASSERT_TRUE(is_new || glm::distance(found->second, place) < 1e-5 * nodes.grid().edge(node.level))
           << node.level << " " << drawn.coarser << " " << n;
-      auto& [count, is_rim] = edges[Less()(here, there) ? std::pair(here, there) : std::pair(there, here)];
+      auto& [count, is_rim] =
+          edges[test::LessDirection()(here, there) ? std::pair(here, there) : std::pair(there, here)];
       ++count;
       is_rim = (with_others & side) == 0;
     }

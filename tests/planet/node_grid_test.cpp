@@ -15,20 +15,14 @@ namespace {
 
 using test::Places;
 
-constexpr int cells = 28;
+constexpr int kCells = 28;
 
-struct Less {
-  bool operator()(const glm::dvec3& a, const glm::dvec3& b) const {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  }
-};
-
-using Directions = std::set<glm::dvec3, Less>;
+using Directions = std::set<glm::dvec3, test::LessDirection>;
 
 class NodeGrids : public testing::TestWithParam<test::Grid> {
  protected:
   const std::shared_ptr<const NodeGrid> grid = test::grid_for(GetParam());
-  const NodePatch patch = grid->patch(cells);
+  const NodePatch patch = grid->patch(kCells);
 
   [[nodiscard]] Directions all_of(const GridNode& node) const {
     const std::vector<glm::dvec3> list = test::directions_of(*grid, patch, node);
@@ -73,7 +67,7 @@ TEST_P(NodeGrids, LieBetweenVerticesOfTheLevelAbove) {
   const std::vector<glm::dvec3> own = test::directions_of(*grid, patch, node);
   for (std::size_t k = 0; k < own.size(); ++k) {
     const glm::dvec3 middle = 0.5 * (own[patch.vertices[k].from] + own[patch.vertices[k].to]);
-    EXPECT_LT(glm::distance(own[k], middle), 0.01 * grid->spacing(12, cells)) << k;
+    EXPECT_LT(glm::distance(own[k], middle), 0.01 * grid->spacing(12, kCells)) << k;
   }
 }
 
@@ -109,7 +103,7 @@ TEST_P(NodeGrids, ForgetNoneOfThoseAround) {
     }
     level = next;
   }
-  std::map<glm::dvec3, std::set<Key>, Less> at;
+  std::map<glm::dvec3, std::set<Key>, test::LessDirection> at;
   for (const GridNode& node : level) {
     for (const glm::dvec3& direction : test::directions_of(*grid, coarse, node)) at[direction].insert(key_of(node));
   }
@@ -132,7 +126,7 @@ TEST_P(NodeGrids, TellHowLongSidesAreAtTheMost) {
     const std::vector<glm::dvec3> own = test::directions_of(*grid, patch, node);
     for (std::size_t k = 0; k < patch.rim.size(); ++k) {
       const double side = glm::distance(own[patch.rim[k]], own[patch.rim[(k + 1) % patch.rim.size()]]);
-      longest = std::max(longest, side / grid->spacing(level, cells));
+      longest = std::max(longest, side / grid->spacing(level, kCells));
     }
   }
   // Of a face's middle sides are rarely those of a node that is taken at random.
@@ -168,9 +162,9 @@ TEST(PersistentGrid, ReachesAllThatCanBeSeen) {
     const glm::dvec3 reached = grid.reaches(other, top) ? other : eye;
     const double far = f64::hidden_angle(1.0, glm::length(reached) - 1.0, top);
     // No place of the rim is nearer to what lies below the eye.
-    const NodePatch patch = grid.patch(cells);
+    const NodePatch patch = grid.patch(kCells);
     for (const std::uint16_t k : patch.rim) {
-      const glm::dvec3 rim = grid.vertex_direction({}, patch.vertices[k].i, patch.vertices[k].j, cells);
+      const glm::dvec3 rim = grid.vertex_direction({}, patch.vertices[k].i, patch.vertices[k].j, kCells);
       EXPECT_GE(f64::angle_between(rim, reached), far) << top << " " << glm::length(eye) - 1.0;
     }
   }
