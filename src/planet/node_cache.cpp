@@ -1,7 +1,5 @@
 #include "planet/node_cache.hpp"
 
-#include <algorithm>
-
 #include "base/check.hpp"
 
 namespace terrella {
@@ -27,32 +25,26 @@ int NodeCache::find(const GridNode& node) const {
   return found == slots_.end() ? -1 : found->second;
 }
 
-std::size_t NodeCache::oldest() const {
-  const auto found = std::min_element(entries_.begin(), entries_.end(),
-                                      [](const Entry& a, const Entry& b) { return a.used < b.used; });
-  return static_cast<std::size_t>(found - entries_.begin());
-}
-
-std::optional<std::size_t> NodeCache::free_slot() const {
-  if (entries_.size() < capacity_) return entries_.size();
-  const std::size_t slot = oldest();
-  return entries_[slot].used < now_ ? std::optional(slot) : std::nullopt;
-}
+bool NodeCache::has_room() const { return entries_.size() < capacity_ || at(by_use_.front()).used < now_; }
 
 std::optional<int> NodeCache::insert(const GridNode& node, const NodeFrame& frame) {
-  const std::optional<std::size_t> slot = free_slot();
-  if (!slot) return std::nullopt;
-  if (*slot == entries_.size()) {
+  if (!has_room()) return std::nullopt;
+  if (entries_.size() < capacity_) {
+    by_use_.push_front(static_cast<int>(entries_.size()));
     entries_.emplace_back();
   } else {
-    slots_.erase(key_of(entries_[*slot].node));
+    slots_.erase(key_of(at(by_use_.front()).node));
   }
-  entries_[*slot] = {node, frame, now_, 0, 0};
-  return slots_[key_of(node)] = static_cast<int>(*slot);
+  const auto turn = by_use_.begin();
+  const int slot = *turn;
+  entries_[static_cast<std::size_t>(slot)] = {node, frame, 0, 0, 0, turn};
+  use(slot);
+  return slots_[key_of(node)] = slot;
 }
 
 void NodeCache::clear() {
   entries_.clear();
+  by_use_.clear();
   slots_.clear();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <list>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -16,13 +17,16 @@ class NodeCache {
   struct Entry {
     GridNode node;
     NodeFrame frame;
-    std::uint64_t used = 0;      // the frame that used it last
-    std::uint64_t leaf = 0;      // the frame that drew it undivided last
-    std::uint64_t as_above = 0;  // the frame that drew it in the shape of the level above last
+    std::uint64_t used = 0;         // the frame that used it last
+    std::uint64_t leaf = 0;         // the frame that drew it undivided last
+    std::uint64_t as_above = 0;     // the frame that drew it in the shape of the level above last
+    std::list<int>::iterator turn;  // in the order of use
   };
 
   // capacity: slots, > 0.
   explicit NodeCache(int capacity);
+  NodeCache(NodeCache&&) = default;
+  NodeCache& operator=(NodeCache&&) = default;
 
   void begin_frame() { ++now_; }
 
@@ -30,7 +34,11 @@ class NodeCache {
   [[nodiscard]] int find(const GridNode& node) const;
   [[nodiscard]] const Entry& at(int slot) const { return entries_[static_cast<std::size_t>(slot)]; }
 
-  void use(int slot) { entries_[static_cast<std::size_t>(slot)].used = now_; }
+  void use(int slot) {
+    Entry& entry = entries_[static_cast<std::size_t>(slot)];
+    entry.used = now_;
+    by_use_.splice(by_use_.end(), by_use_, entry.turn);
+  }
   // Of this frame: the node is drawn as it is.
   void make_leaf(int slot, bool as_above) {
     Entry& entry = entries_[static_cast<std::size_t>(slot)];
@@ -45,15 +53,13 @@ class NodeCache {
   // where all are used in this frame.
   std::optional<int> insert(const GridNode& node, const NodeFrame& frame);
   // Whether insert would find a slot.
-  [[nodiscard]] bool has_room() const { return free_slot().has_value(); }
+  [[nodiscard]] bool has_room() const;
 
   void clear();
 
  private:
-  [[nodiscard]] std::size_t oldest() const;
-  [[nodiscard]] std::optional<std::size_t> free_slot() const;
-
   std::vector<Entry> entries_;
+  std::list<int> by_use_;  // slots, the one that was not used for longest first
   std::size_t capacity_;
   std::unordered_map<std::uint64_t, int> slots_;
   std::uint64_t now_ = 1;
