@@ -9,19 +9,37 @@ float held_of_layer(float frequency) {
   return mix(layer_weight(frequency, node_held.x), layer_weight(frequency, 2.0 * node_held.x), node_held.y);
 }
 
+// The sums of amplitudes that means are of: of all layers, and of the ridges of ranges.
+float all_layers() { return max(amplitude_sum(terrain_persistence, terrain_octaves), 1.0e-6); }
+float all_ridges() { return max(all_layers() - amplitude_sum(terrain_persistence, terrain_range_layer), 1.0e-6); }
+
+// How steep ground is made of so many layers and ridges: each is as steep as any other, whatever the width of its cells, of
+// which heights of real ground are about in proportion.
+float steepness(Relief r, float layers, float ridges) {
+  float of_layers = r.by_mean / all_layers(), of_ridges = r.by_shape / all_ridges();
+  return sqrt(layers * of_layers * of_layers + ridges * of_ridges * of_ridges);
+}
+
 // How strongly layers act, for unseen_slopes, which takes all of them for as steep as those that are no ridges of ranges.
 // Those ridges are the ones that a ridged ground has anyway, so that both rise together; else one knows nothing of the other.
 float layer_rise(GroundAt ground) {
   bool is_ridged = terrain_ridged != 0;
-  float rise = node_height.y, ridges = node_height.z;
+  Relief held = node_relief(node_height.y, node_height.z);
+  float rise = held.by_mean / all_layers(), ridges = node_has_ranges ? held.by_shape / all_ridges() : 0.0;
   float steeper = layer_slope_square(true, terrain_ridge_sharpness) / layer_slope_square(is_ridged, terrain_ridge_sharpness);
   float together = is_ridged ? 2.0 * rise * ridges : 0.0;
-  return sqrt(rise * rise + together + steeper * ridges * ridges) * amplitude_sum(terrain_persistence, terrain_octaves);
+  return sqrt(rise * rise + together + steeper * ridges * ridges) * all_layers();
 }
 
-// Craters that the vertices can't hold and a pixel can, added to the mean of all layers and its gradient. They are told
-// from the direction itself: where pixels come near to what a float knows of it, the vertices hold them all.
-void add_finer_craters(vec3 up, float footprint, inout float mean, inout vec3 gradient) {
+// What pixels add to a mean, and to its gradient.
+struct Added {
+  float value;
+  vec3 gradient;
+};
+
+// Craters that the vertices can't hold and a pixel can, added to the mean of all layers. They are told from the direction
+// itself: where pixels come near to what a float knows of it, the vertices hold them all.
+void add_finer_craters(inout Added mean, vec3 up, float footprint) {
   if (terrain_craters <= 0.0 || terrain_height <= 0.0) return;
   float dug = 0.0, frequency = terrain_crater_frequency;
   vec3 slope = vec3(0.0);
@@ -32,43 +50,48 @@ void add_finer_craters(vec3 up, float footprint, inout float mean, inout vec3 gr
     if (shown > 0.0) add_craters_of_size(up, i, frequency, uint(planet_seed), shown, dug, slope);
     frequency *= crater_step;
   }
-  mean += dug / terrain_height;
-  gradient += slope / terrain_height;
+  mean.value += dug / terrain_height;
+  mean.gradient += slope / terrain_height;
 }
 
-// The ground at the pixel as fine as it can show it. up: unit; footprint: rad.
-GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
-  GroundAt ground;
-  ground.openness = node_slope.w;
-  ground.height = node_height.x;
-  vec3 gradient = node_slope.xyz, ridge_gradient = vec3(0.0);
-  float amplitude = node_layers.y, rise = node_height.y, ridges = node_height.z, ridge = 0.0;
-  bool is_ridged = terrain_ridged != 0;
+// Layers that the vertices can't hold and a pixel can, added to the mean of all and to that of ridges.
+void add_finer_layers(inout Added mean, inout Added ridges, vec3 from_anchor, float footprint) {
+  float amplitude = node_layers.y;
+  bool is_ridged = terrain_ridged != 0, has_ranges = node_has_ranges && terrain_ranges > 0.0;
   for (int i = int(node_layers.x); i < int(ground_map_scale.z); ++i) {
     float frequency = layer_place[i].w;
     float weight = layer_weight(frequency, footprint);
     if (weight <= 0.0) break;  // and so is that of all finer layers
     Noise n = layer_noise(i, from_anchor);
     float shown = amplitude * max(weight - held_of_layer(frequency), 0.0);
-    ground.height += shown * rise * (layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged));
-    gradient += (shown * frequency * rise * layer_slope(n.value, is_ridged, terrain_ridge_sharpness)) * n.gradient;
-    if (ridges > 0.0 && i >= terrain_range_layer) {
-      ridge += shown * (layer_value(n.value, true, terrain_ridge_sharpness) - layer_mean(true));
-      ridge_gradient += (shown * frequency * layer_slope(n.value, true, terrain_ridge_sharpness)) * n.gradient;
+    float of_mean = shown / all_layers(), of_ridges = shown / all_ridges();
+    mean.value += of_mean * (layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged));
+    mean.gradient += (of_mean * frequency * layer_slope(n.value, is_ridged, terrain_ridge_sharpness)) * n.gradient;
+    if (has_ranges && i >= terrain_range_layer) {
+      ridges.value += of_ridges * (layer_value(n.value, true, terrain_ridge_sharpness) - layer_mean(true));
+      ridges.gradient += (of_ridges * frequency * layer_slope(n.value, true, terrain_ridge_sharpness)) * n.gradient;
     }
     amplitude *= terrain_persistence;
   }
-  float of_ridges = amplitude_sum(terrain_persistence, terrain_octaves) - amplitude_sum(terrain_persistence, terrain_range_layer);
-  RidgesAdded added = ridges_added(ridge, of_ridges);
-  ground.height += ridges * added.height;
-  gradient += (ridges * added.slope) * ridge_gradient;
-  float dug = 0.0;
-  vec3 dug_gradient = vec3(0.0);
-  add_finer_craters(up, footprint, dug, dug_gradient);
-  float rise_of_mean = rise * amplitude_sum(terrain_persistence, terrain_octaves);
-  ground.height += rise_of_mean * dug;
-  gradient += rise_of_mean * dug_gradient;
+}
+
+// The ground at the pixel as fine as it can show it: that of the vertices, by as much higher as it is made of other means
+// than theirs. up: unit; footprint: rad.
+GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
+  Added mean = Added(0.0, vec3(0.0)), shape = mean;
+  add_finer_layers(mean, shape, from_anchor, footprint);
+  add_finer_craters(mean, up, footprint);
+  add_finer_map(shape.value, shape.gradient, up, footprint);
+  Relief held = node_relief(node_height.y, node_height.z);
+  Relief all = node_relief(node_height.y + mean.value, max(node_height.z + shape.value, 0.0));
+  // What of the vertices' slope is which mean's is not told: both as far as layers of each are held.
+  float layers = node_layers.x + 1.0, ridges = node_has_ranges ? max(node_layers.x - float(terrain_range_layer), 0.0) : 0.0;
+  float before = steepness(held, layers, ridges);
+  float steeper = before > 0.0 ? min(steepness(all, layers, ridges) / before, 4.0) : 1.0;
+  GroundAt ground;
+  ground.openness = node_slope.w;
+  ground.height = node_height.x + all.value - held.value;
+  vec3 gradient = steeper * node_slope.xyz + all.by_mean * mean.gradient + all.by_shape * shape.gradient;
   ground.gradient = gradient - dot(gradient, up) * up;
-  add_finer_map(ground, up, footprint);
   return ground;
 }

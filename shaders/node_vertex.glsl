@@ -8,7 +8,7 @@ uniform sampler2D node_places;   // xyz: from the node's centre; w: height over 
 uniform sampler2D node_coarser;  // what is added to them where the level above takes over
 uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: openness
 uniform sampler2D node_coarser_slopes;
-uniform sampler2D node_rises;  // xy: rise and ridges of Height, of terrain_height; zw: what is added to them
+uniform sampler2D node_means;  // xy: mean and shape of Height; zw: what is added to them
 uniform vec4 node_morph;  // x, y: distances, edges of a node, from which to which one level passes to the next; z: square of the eye's lift; w: skirt, rad
 uniform int node_cells;   // along a side of a node
 
@@ -20,7 +20,7 @@ layout(location = 4) in vec4 node_around;  // x: as DrawnNode's coarser; y, z: f
 layout(location = 5) in ivec2 node_corner;  // x: the texel; y: sides and corners that the vertex lies on (NodePatch), negative at the lower end of a skirt
 
 out vec4 node_slope;        // xyz: gradient of the height along the sphere; w: openness
-out vec3 node_height;       // x: over the water; y, z: Height's rise and ridges
+out vec3 node_height;       // x: over the water; y, z: Height's mean and shape
 out vec2 node_held;         // x: distance of the level's vertices, rad; y: part of the level above
 flat out vec2 node_layers;  // x: first that the vertices don't hold whole; y: its strength, of that of the first of all
 
@@ -47,9 +47,9 @@ NodeVertex node_vertex() {
   // Whether it belongs to a node of the level above as well.
   if ((abs(node_corner.y) & int(node_around.x)) != 0) part = 1.0;
   own += part * texelFetch(node_coarser, texel, 0);
-  vec4 rise = texelFetch(node_rises, texel, 0);
+  vec4 means = texelFetch(node_means, texel, 0);
   node_slope = texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
-  node_height = vec3(node_sea.w + own.w, terrain_height * (rise.xy + part * rise.zw));
+  node_height = vec3(node_sea.w + own.w, means.xy + part * means.zw);
   node_held = vec2(node_along.w / float(node_cells), part);
   node_layers = node_around.yz;
   NodeVertex v;

@@ -33,8 +33,9 @@ struct Height {
   float value;
   vec3 gradient;
   float openness;  // 0..1: below a half in hollows, above it on crests
-  float rise;      // what a layer of unit amplitude adds to value for each unit of layer_value, radii
-  float ridges;    // the same of a layer that is one of the ridges of ranges
+  // What it is made of (relief_of): the mean of all layers, -1 where ice lies, and that of the ridges of ranges. Where a
+  // map tells continents (mapped_relief_of), what the layers finer than it add to that mean, and what the map tells.
+  float mean, shape;
 };
 
 // x tanh(k x): |x| without its edge (5). k >= 0; total, where the printed form overflows for k|x| > 88.
@@ -132,32 +133,25 @@ void add_ridges(inout RidgeSum r, Noise n, float amplitude, float frequency, flo
   r.total += amplitude;
 }
 
-// Raises the ranges on the ground. layers: all, of the mean h; gradient: of their sum; height: radii.
-void raise_ranges(inout Height ground, RidgeSum r, OctaveSum layers, float h, vec3 gradient, float height) {
-  if (r.total <= 0.0) return;
-  float mean = max(r.sum / r.total, 0.0);
-  float square = mean * mean;
-  float cover_rise = height * range_cover_slope(h) * square * mean / layers.total;
-  ground.ridges = 3.0 * height * range_cover(h) * square / r.total;
-  ground.value += height * range_cover(h) * square * mean;
-  ground.gradient += ground.ridges * r.gradient + cover_rise * gradient;
-  ground.rise += cover_rise;
-}
+float mean_of_ridges(RidgeSum r) { return r.total > 0.0 ? max(r.sum / r.total, 0.0) : 0.0; }
 
-// What finer layers add to ridges whose mean is raised to the third power: to the ground by how much, for each unit of it
-// that Height's ridges tell, and how that changes with it.
-struct RidgesAdded {
-  float height, slope;
+// How high ground stands that is made of two means, radii, and how that changes with each.
+struct Relief {
+  float value, by_mean, by_shape;
 };
 
-// added: to the sum of the ridges' layers; total: of their amplitudes. The mean that it is added to isn't known: that of all
-// ridges is taken. They can sink no lower than to where there are none.
-RidgesAdded ridges_added(float added, float total) {
-  float all = layer_mean(true) * max(total, 1.0e-6);
-  float part = max(added / all, -1.0);
-  RidgesAdded r;
-  r.height = part * all * (1.0 + part + part * part / 3.0);
-  r.slope = (1.0 + part) * (1.0 + part);
+// mean: of all layers; ridges: of those of ranges.
+Relief relief_of(Terrain t, float mean, float ridges) {
+  Relief r;
+  r.value = 0.0;
+  r.by_mean = 0.0;
+  r.by_shape = 0.0;
+  if (t.octaves == 0) return r;
+  float smooth_height = (1.0 - t.ranges.part) * t.height, ranges = t.ranges.part * t.height;
+  float square = ridges * ridges;
+  r.value = height_power(mean, smooth_height, t.power) + ranges * range_cover(mean) * square * ridges;
+  r.by_mean = height_power_slope(mean, smooth_height, t.power) + ranges * range_cover_slope(mean) * square * ridges;
+  r.by_shape = 3.0 * ranges * range_cover(mean) * square;
   return r;
 }
 
@@ -169,8 +163,8 @@ void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
   ground.value = height;
   ground.gradient = vec3(0.0);
   ground.openness = 0.6;
-  ground.rise = 0.0;
-  ground.ridges = 0.0;
+  ground.mean = -1.0;
+  ground.shape = 0.0;
 }
 
 #ifdef TERRELLA_HOST
@@ -213,13 +207,14 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
     relief += sum.total / t.height * dug * t.craters.frequency;
   }
   Height ground;
-  float height = (1.0 - t.ranges.part) * t.height;
-  ground.value = t.octaves > 0 ? height_power(h, height, t.power) : 0.0;
-  ground.rise = sum.total > 0.0 ? height_power_slope(h, height, t.power) / sum.total : 0.0;
-  ground.ridges = 0.0;
-  ground.gradient = gradient * ground.rise;
-  if (has_ranges) raise_ranges(ground, ridges, sum, h, gradient, t.ranges.part * t.height);
-  ground.openness = openness_of(relief * (ground.rise + ground.ridges));
+  ground.mean = h;
+  ground.shape = mean_of_ridges(ridges);
+  Relief relief_here = relief_of(t, ground.mean, ground.shape);
+  float rise = sum.total > 0.0 ? relief_here.by_mean / sum.total : 0.0;
+  float rise_of_ridges = ridges.total > 0.0 ? relief_here.by_shape / ridges.total : 0.0;
+  ground.value = relief_here.value;
+  ground.gradient = rise * gradient + rise_of_ridges * ridges.gradient;
+  ground.openness = openness_of(relief * (rise + rise_of_ridges));
   lay_ice(ground, direction, t.ice, footprint);
   return ground;
 }

@@ -22,6 +22,18 @@ float mapped_rise_slope(float part, float p) {
   return (q - 1.0) * pow(max(part, 0.0) + 0.02, -1.0 / q);
 }
 
+// How high ground stands where layers add so much to their mean and a map tells so much (0..1).
+Relief mapped_relief_of(Terrain t, float added, float map) {
+  float rise = mapped_rise(map, t.power);
+  float part = map + rise * added;
+  bool held = part <= 0.0 || part >= 1.0;
+  Relief r;
+  r.value = t.height * clamp(part, 0.0, 1.0);
+  r.by_mean = held ? 0.0 : t.height * rise;
+  r.by_shape = held ? 0.0 : t.height * (1.0 + mapped_rise_slope(map, t.power) * added);
+  return r;
+}
+
 // The ground at a direction (unit), without what samples a footprint (rad) apart can't show. Ranges are the map's own.
 Height mapped_height_at(vec3 direction, Terrain t, highp sampler2D map, float footprint) {
   MapHeight shape = map_height_at(map, direction, footprint);
@@ -53,16 +65,14 @@ Height mapped_height_at(vec3 direction, Terrain t, highp sampler2D map, float fo
     gradient += (total / t.height) * slope;
     relief += total / t.height * dug * t.craters.frequency;
   }
-  float rise = mapped_rise(shape.value, t.power);
-  float part = shape.value + rise * added;
-  bool held = part <= 0.0 || part >= 1.0;
   Height ground;
-  ground.value = t.height * clamp(part, 0.0, 1.0);
-  ground.rise = held ? 0.0 : t.height * rise / total;
-  ground.ridges = 0.0;
-  float of_map = held ? 0.0 : t.height * (1.0 + mapped_rise_slope(shape.value, t.power) * added);
-  ground.gradient = of_map * shape.gradient + ground.rise * gradient;
-  ground.openness = openness_of(t.height * shape.relief + relief * ground.rise);
+  ground.mean = added;
+  ground.shape = shape.value;
+  Relief relief_here = mapped_relief_of(t, ground.mean, ground.shape);
+  float rise = relief_here.by_mean / total;
+  ground.value = relief_here.value;
+  ground.gradient = relief_here.by_shape * shape.gradient + rise * gradient;
+  ground.openness = openness_of(t.height * shape.relief + relief * rise);
   lay_ice(ground, direction, t.ice, footprint);
   return ground;
 }

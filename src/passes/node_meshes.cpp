@@ -104,7 +104,7 @@ bool NodeMeshes::make(const Scene& scene, const GridNode& node) {
   textures_[1]->set_row(slot, vertices_.coarser);
   textures_[2]->set_row(slot, vertices_.slope);
   textures_[3]->set_row(slot, vertices_.coarser_slope);
-  textures_[4]->set_row(slot, vertices_.rise);
+  textures_[4]->set_row(slot, vertices_.means);
   noise_evaluations_ +=
       std::ssize(patch_.vertices) * std::int64_t{noise_per_height(scene, grid_->spacing(node.level, patch_.cells))};
   return true;

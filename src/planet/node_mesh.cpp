@@ -12,21 +12,20 @@ struct Vertex {
   glm::dvec3 place;  // from the middle of the node on the unit sphere
   double height;
   glm::dvec4 slope;
-  glm::dvec2 rise;
+  glm::dvec2 means;
 };
 
 Vertex vertex_at(const glm::dvec3& direction, const glm::dvec3& middle, const f64::Terrain& terrain, double spacing) {
   const f64::Height ground = f64::terrain_height_at(direction, terrain, spacing);
   const glm::dvec3 along = ground.gradient - glm::dot(ground.gradient, direction) * direction;
-  const double of_height = terrain.height > 0.0 ? 1.0 / terrain.height : 0.0;
   return {direction - middle + ground.value * direction,
           ground.value,
           glm::dvec4(along, ground.openness),
-          {of_height * ground.rise, of_height * ground.ridges}};
+          {ground.mean, ground.shape}};
 }
 
 Vertex between(const Vertex& a, const Vertex& b) {
-  return {0.5 * (a.place + b.place), 0.5 * (a.height + b.height), 0.5 * (a.slope + b.slope), 0.5 * (a.rise + b.rise)};
+  return {0.5 * (a.place + b.place), 0.5 * (a.height + b.height), 0.5 * (a.slope + b.slope), 0.5 * (a.means + b.means)};
 }
 
 // The vertices of a node at its own level and as the level above has them.
@@ -77,7 +76,7 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
   frame.heights = heights_around(terrain, computed, spacing, std::max(0.7072, 0.5 * grid.reach()) * spacing,
                                  may_freeze(terrain.ice, middle, frame.outline.half_width));
   const glm::dvec3 lift = frame.base * middle;
-  for (auto* list : {&vertices.place, &vertices.coarser, &vertices.slope, &vertices.coarser_slope, &vertices.rise})
+  for (auto* list : {&vertices.place, &vertices.coarser, &vertices.slope, &vertices.coarser_slope, &vertices.means})
     list->clear();
   for (std::size_t n = 0; n < levels.own.size(); ++n) {
     const Vertex &own = levels.own[n], &above = levels.above[n];
@@ -85,7 +84,7 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
     vertices.coarser.emplace_back(glm::dvec4(above.place - own.place, above.height - own.height));
     vertices.slope.emplace_back(own.slope);
     vertices.coarser_slope.emplace_back(above.slope - own.slope);
-    vertices.rise.emplace_back(glm::dvec4(own.rise, above.rise - own.rise));
+    vertices.means.emplace_back(glm::dvec4(own.means, above.means - own.means));
   }
   return frame;
 }

@@ -20,9 +20,7 @@ struct NodeVertices {
   std::vector<glm::vec4> coarser;  // what is to be added to them
   std::vector<glm::vec4> slope;    // xyz: gradient of the height, along the sphere; w: openness
   std::vector<glm::vec4> coarser_slope;
-  // xy: rise and ridges of Height, of the ground's whole height, so that half floats hold those of the lowest; zw: what
-  // is to be added to them
-  std::vector<glm::vec4> rise;
+  std::vector<glm::vec4> means;  // xy: mean and shape of Height; zw: what is to be added to them
 };
 
 // A node's place in the world.

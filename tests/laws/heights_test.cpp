@@ -133,30 +133,33 @@ TEST(TerrainHeight, RangesStandOnHighGroundOnly) {
   EXPECT_GT(high, 300);
 }
 
-// How much a layer acts at a place, which pixels multiply theirs by.
-TEST(TerrainHeight, TellsWhatAFurtherLayerWouldAdd) {
+// Pixels go on with the means where vertices left off: to what vertices so near to each other would hold.
+TEST(TerrainHeight, IsThatOfItsMeansWhateverElseIsAddedToThem) {
   Places places(29U);
   for (const f64::Terrain& t : kinds()) {
-    if (t.craters.depth > 0.0) continue;
+    if (t.ice.sea > 0.0) continue;
     for (int i = 0; i < 500; ++i) {
       const glm::dvec3 d = places.on_sphere();
-      const f64::Height ground = f64::terrain_height_at(d, t, 0.0);
-      f64::Terrain more = t;
-      more.octaves = t.octaves + 1;
-      // So faint a layer that what it adds is in proportion to it.
-      more.persistence = t.persistence;
-      const double amplitude = std::pow(t.persistence, t.octaves);
-      const double frequency = t.frequency * std::pow(t.lacunarity, t.octaves);
-      const f64::Noise n = f64::simplex_noise(glm::ivec3(0), d * frequency + f64::layer_offset(t.octaves, t.seed),
-                                              f64::layer_seed(t.octaves, t.seed));
-      const f64::Height coarse = f64::terrain_height_at(d, more, 0.5 / frequency);  // the layer left at its mean
-      const f64::Height fine = f64::terrain_height_at(d, more, 0.0);
-      const double told =
-          amplitude * (coarse.rise * (f64::layer_value(n.value, t.ridged, t.sharpness) - f64::layer_mean(t.ridged)) +
-                       coarse.ridges * (f64::layer_value(n.value, true, t.sharpness) - f64::layer_mean(true)));
-      // The layer above it is left out in part by the same samples, and the power bends.
-      if (f64::layer_weight(frequency / t.lacunarity, 0.5 / frequency) < 1.0) continue;
-      ASSERT_NEAR(fine.value - coarse.value, told, 0.02 * amplitude * t.height) << ground.value;
+      for (const double footprint : {0.0, 0.01, 0.1}) {
+        const f64::Height ground = f64::terrain_height_at(d, t, footprint);
+        EXPECT_EQ(ground.value, f64::relief_of(t, ground.mean, ground.shape).value);
+      }
+    }
+  }
+}
+
+TEST(Relief, TellsHowItChangesWithEachMean) {
+  for (const f64::Terrain& t : kinds()) {
+    for (double mean = 0.02; mean < 0.98; mean += 0.017) {
+      for (double ridges = 0.05; ridges < 1.0; ridges += 0.05) {
+        const double step = 1e-6;
+        const auto height = [&](double more_mean, double more_ridges) {
+          return f64::relief_of(t, mean + more_mean, ridges + more_ridges).value;
+        };
+        const f64::Relief here = f64::relief_of(t, mean, ridges);
+        EXPECT_NEAR(here.by_mean, (height(step, 0.0) - height(-step, 0.0)) / (2.0 * step), 1e-4 * t.height);
+        EXPECT_NEAR(here.by_shape, (height(0.0, step) - height(0.0, -step)) / (2.0 * step), 1e-4 * t.height);
+      }
     }
   }
 }
@@ -194,17 +197,6 @@ TEST(Openness, IsLowInHollowsAndHighOnCrests) {
   ASSERT_GT(std::min(lows, highs), 200);
   EXPECT_LT(low / lows, 0.33);    // measured 0.309
   EXPECT_GT(high / highs, 0.71);  // measured 0.737
-}
-
-// The cube of a mean of ridges that finer layers change, less the cube before, for each unit of its derivative.
-TEST(RidgesAdded, AreWhatTheCubeGrowsBy) {
-  const double total = 1.7, mean = f64::layer_mean(true);
-  for (double added = -2.0; added < 1.0; added += 0.01) {
-    const f64::RidgesAdded r = f64::ridges_added(added, total);
-    const double after = std::max(mean + added / total, 0.0);
-    EXPECT_NEAR(3.0 * mean * mean * r.height / total, std::pow(after, 3.0) - std::pow(mean, 3.0), 1e-9);
-    EXPECT_NEAR(3.0 * mean * mean * r.slope, 3.0 * after * after, 1e-9);
-  }
 }
 
 TEST(TerrainHeight, WithoutOctavesOrHeightIsTheSphere) {
