@@ -28,7 +28,7 @@ float layer_rise(GroundAt ground) {
   float rise = held.by_mean / all_layers(), ridges = node_has_ranges ? held.by_shape / all_ridges() : 0.0;
   float steeper = layer_slope_square(true, terrain_ridge_sharpness) / layer_slope_square(is_ridged, terrain_ridge_sharpness);
   float together = is_ridged ? 2.0 * rise * ridges : 0.0;
-  return sqrt(rise * rise + together + steeper * ridges * ridges) * all_layers();
+  return (1.0 - node_height.w) * sqrt(rise * rise + together + steeper * ridges * ridges) * all_layers();
 }
 
 // What pixels add to a mean, and to its gradient.
@@ -75,8 +75,8 @@ void add_finer_layers(inout Added mean, inout Added ridges, vec3 from_anchor, fl
   }
 }
 
-// The ground at the pixel as fine as it can show it: that of the vertices, by as much higher as it is made of other means
-// than theirs. up: unit; footprint: rad.
+// The ground at the pixel as fine as it can show it: vertices tell the means of what they hold of it, the pixel adds what
+// they can't. Ice is where the vertices have it. up: unit; footprint: rad.
 GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
   Added mean = Added(0.0, vec3(0.0)), shape = mean;
   add_finer_layers(mean, shape, from_anchor, footprint);
@@ -90,8 +90,9 @@ GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
   float steeper = before > 0.0 ? min(steepness(all, layers, ridges) / before, 4.0) : 1.0;
   GroundAt ground;
   ground.openness = node_slope.w;
-  ground.height = node_height.x + all.value - held.value;
-  vec3 gradient = steeper * node_slope.xyz + all.by_mean * mean.gradient + all.by_shape * shape.gradient;
+  ground.height = mix(all.value - node_sea_level, node_height.x, node_height.w);
+  vec3 finer = all.by_mean * mean.gradient + all.by_shape * shape.gradient;
+  vec3 gradient = steeper * node_slope.xyz + (1.0 - node_height.w) * finer;
   ground.gradient = gradient - dot(gradient, up) * up;
   return ground;
 }

@@ -33,9 +33,10 @@ struct Height {
   float value;
   vec3 gradient;
   float openness;  // 0..1: below a half in hollows, above it on crests
-  // What it is made of (relief_of): the mean of all layers, -1 where ice lies, and that of the ridges of ranges. Where a
-  // map tells continents (mapped_relief_of), what the layers finer than it add to that mean, and what the map tells.
+  // What it is made of, under the ice (relief_of): the mean of all layers, and that of the ridges of ranges. Where a map
+  // tells continents (mapped_relief_of), what the layers finer than it add to that mean, and what the map tells.
   float mean, shape;
+  bool iced;  // ice lies there, whose height no mean tells
 };
 
 // x tanh(k x): |x| without its edge (5). k >= 0; total, where the printed form overflows for k|x| > 88.
@@ -163,8 +164,70 @@ void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
   ground.value = height;
   ground.gradient = vec3(0.0);
   ground.openness = 0.6;
-  ground.mean = -1.0;
-  ground.shape = 0.0;
+  ground.iced = true;
+}
+
+// What the ground at a place is made of, as far as samples so far apart can show it.
+struct HeightParts {
+  float footprint;   // rad
+  OctaveSum layers;
+  vec3 gradient;     // of the sum of all layers
+  float relief;      // as openness_of takes it, of a ground as high as that sum
+  RidgeSum ridges;
+  float dug;         // by craters, radii
+  vec3 dug_gradient;
+};
+
+HeightParts no_height(float footprint) {
+  HeightParts p;
+  p.footprint = footprint;
+  p.layers = no_octaves();
+  p.gradient = vec3(0.0);
+  p.relief = 0.0;
+  p.ridges = no_ridges();
+  p.dug = 0.0;
+  p.dug_gradient = vec3(0.0);
+  return p;
+}
+
+// The noise of layer i at a direction (unit).
+Noise height_noise(vec3 direction, Terrain t, int i, float frequency) {
+  return simplex_noise(ivec3(0), direction * frequency + layer_offset(i, t.seed), layer_seed(i, t.seed));
+}
+
+// n: height_noise, or no_noise where the footprint leaves nothing of layer i.
+void add_height_layer(inout HeightParts p, Terrain t, int i, float frequency, Noise n) {
+  float shown = layer_weight(frequency, p.footprint);
+  float mean = layer_mean(t.ridged);
+  float value = mean;
+  if (shown > 0.0) {
+    value = mix(mean, layer_value(n.value, t.ridged, t.sharpness), shown);
+    p.gradient += p.layers.amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
+  }
+  bool is_ridge = t.ranges.part > 0.0 && i >= t.ranges.first;
+  if (is_ridge) add_ridges(p.ridges, n, p.layers.amplitude, frequency, t.sharpness, shown);
+  if (i > 0) p.relief += p.layers.amplitude * frequency * (value - mean);
+  add_octave(p.layers, value, t.persistence);
+}
+
+// direction: unit.
+Height height_of(HeightParts p, vec3 direction, Terrain t) {
+  float of_dug = t.height > 0.0 ? 1.0 / t.height : 0.0;
+  float total = p.layers.total;
+  Height ground;
+  ground.mean = octave_mean(p.layers) + of_dug * p.dug;
+  ground.shape = mean_of_ridges(p.ridges);
+  ground.iced = false;
+  Relief relief_here = relief_of(t, ground.mean, ground.shape);
+  float rise = total > 0.0 ? relief_here.by_mean / total : 0.0;
+  float rise_of_ridges = p.ridges.total > 0.0 ? relief_here.by_shape / p.ridges.total : 0.0;
+  vec3 gradient = p.gradient + (total * of_dug) * p.dug_gradient;
+  float relief = p.relief + total * of_dug * p.dug * t.craters.frequency;
+  ground.value = relief_here.value;
+  ground.gradient = rise * gradient + rise_of_ridges * p.ridges.gradient;
+  ground.openness = openness_of(relief * (rise + rise_of_ridges));
+  lay_ice(ground, direction, t.ice, p.footprint);
+  return ground;
 }
 
 #ifdef TERRELLA_HOST
@@ -176,47 +239,16 @@ Height terrain_height_at(vec3 direction, Terrain t, float footprint) {
 #ifdef TERRELLA_HOST
   if (t.map.map != nullptr) return mapped_height_at(direction, t, t.map, footprint);
 #endif
-  OctaveSum sum = no_octaves();
+  HeightParts parts = no_height(footprint);
   float frequency = t.frequency;
-  float relief = 0.0;
-  vec3 gradient = vec3(0.0);
-  RidgeSum ridges = no_ridges();
-  bool has_ranges = t.ranges.part > 0.0;
   for (int i = 0; i < t.octaves; ++i) {
-    float shown = layer_weight(frequency, footprint);
-    float mean = layer_mean(t.ridged);
-    float value = mean;
     Noise n = no_noise();
-    if (shown > 0.0) {
-      n = simplex_noise(ivec3(0), direction * frequency + layer_offset(i, t.seed), layer_seed(i, t.seed));
-      value = mix(mean, layer_value(n.value, t.ridged, t.sharpness), shown);
-      gradient += sum.amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
-    }
-    if (has_ranges && i >= t.ranges.first) add_ridges(ridges, n, sum.amplitude, frequency, t.sharpness, shown);
-    if (i > 0) relief += sum.amplitude * frequency * (value - mean);
-    add_octave(sum, value, t.persistence);
+    if (layer_weight(frequency, footprint) > 0.0) n = height_noise(direction, t, i, frequency);
+    add_height_layer(parts, t, i, frequency, n);
     frequency *= t.lacunarity;
   }
-  float h = octave_mean(sum);
-  if (t.craters.depth > 0.0 && t.height > 0.0) {
-    float dug = 0.0;
-    vec3 slope = vec3(0.0);
-    add_craters(direction, t.craters, footprint, dug, slope);
-    h += dug / t.height;
-    gradient += (sum.total / t.height) * slope;
-    relief += sum.total / t.height * dug * t.craters.frequency;
-  }
-  Height ground;
-  ground.mean = h;
-  ground.shape = mean_of_ridges(ridges);
-  Relief relief_here = relief_of(t, ground.mean, ground.shape);
-  float rise = sum.total > 0.0 ? relief_here.by_mean / sum.total : 0.0;
-  float rise_of_ridges = ridges.total > 0.0 ? relief_here.by_shape / ridges.total : 0.0;
-  ground.value = relief_here.value;
-  ground.gradient = rise * gradient + rise_of_ridges * ridges.gradient;
-  ground.openness = openness_of(relief * (rise + rise_of_ridges));
-  lay_ice(ground, direction, t.ice, footprint);
-  return ground;
+  if (t.craters.depth > 0.0) add_craters(direction, t.craters, footprint, parts.dug, parts.dug_gradient);
+  return height_of(parts, direction, t);
 }
 
 // The outward normal of a surface at radius (planet radii) whose radius changes by slope over the unit sphere. slope:

@@ -68,6 +68,7 @@ Height mapped_height_at(vec3 direction, Terrain t, highp sampler2D map, float fo
   Height ground;
   ground.mean = added;
   ground.shape = shape.value;
+  ground.iced = false;
   Relief relief_here = mapped_relief_of(t, ground.mean, ground.shape);
   float rise = relief_here.by_mean / total;
   ground.value = relief_here.value;

@@ -44,7 +44,8 @@ void NodeMeshes::make_room(const NodeGrid& grid, int cells) {
   patch_ = grid.patch(cells);
   const auto count = patch_.vertices.size();
   for (std::size_t i = 0; i < textures_.size(); ++i) {
-    const gl::Format format = i < 2 ? gl::Format::rgba32f : gl::Format::rgba16f;
+    const bool are_slopes = i == 2 || i == 3;
+    const gl::Format format = are_slopes ? gl::Format::rgba16f : gl::Format::rgba32f;
     textures_.at(i) = std::make_unique<gl::Image>(static_cast<int>(count), node_slots, format);
   }
   std::vector<glm::ivec2> vertices;
@@ -112,7 +113,7 @@ bool NodeMeshes::make(const Scene& scene, const GridNode& node) {
 
 void NodeMeshes::pack(const Frame& frame) {
   const auto& terrain = frame.scene.terrain;
-  const double sea = has_water(frame.scene) ? water_radius(frame.scene) : 1.0;  // as the frame's block has it
+  sea_level_ = water_level(frame.scene) / frame.scene.planet.radius;
   instances_.clear();
   const int beyond_map = first_layer(frame.scene);
   const auto add = [&](const DrawnNode& drawn) {
@@ -120,13 +121,16 @@ void NodeMeshes::pack(const Frame& frame) {
     const glm::dvec3& middle = entry.frame.outline.middle;
     const double base = entry.frame.base;
     const double spacing = grid_->spacing(entry.node.level, patch_.cells);
-    const int by_vertices = octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * spacing);
+    const double footprint = held_spacings * spacing;
+    // Also by the level above.
+    const int by_vertices =
+        octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * footprint);
     const int held = std::max(by_vertices, beyond_map);
     instances_.push_back(vector((1.0 + base) * middle - frame.pose.eye, drawn.slot));
     instances_.push_back(vector(middle, base));
     instances_.push_back(vector(middle - eye_.direction, grid_->edge(entry.node.level)));
-    instances_.push_back(vector(sea * middle - frame.pose.eye, base - (sea - 1.0)));
-    instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), 0.0);
+    instances_.push_back(vector((1.0 + sea_level_) * middle - frame.pose.eye, base - sea_level_));
+    instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), footprint);
   };
   const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
@@ -150,6 +154,7 @@ void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer 
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
   if (heights_) heights_->bind(gl::unit_heights);
   program.set("node_cells", patch_.cells);
+  program.set("node_sea_level", static_cast<float>(sea_level_));
   program.set("node_morph", static_cast<float>(ranges_.morph_begin()), static_cast<float>(ranges_.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
   for (std::size_t list = 0; list < patch_.lists(); ++list) {

@@ -1,8 +1,12 @@
 #include "planet/node_mesh.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include <glm/geometric.hpp>
+
+#include "planet/terrain.hpp"
 
 namespace terrella {
 namespace {
@@ -15,13 +19,15 @@ struct Vertex {
   glm::dvec2 means;
 };
 
-Vertex vertex_at(const glm::dvec3& direction, const glm::dvec3& middle, const f64::Terrain& terrain, double spacing) {
-  const f64::Height ground = f64::terrain_height_at(direction, terrain, spacing);
-  const glm::dvec3 along = ground.gradient - glm::dot(ground.gradient, direction) * direction;
-  return {direction - middle + ground.value * direction,
-          ground.value,
-          glm::dvec4(along, ground.openness),
-          {ground.mean, ground.shape}};
+// shown: as vertices can carry it; held: as pixels go on with it.
+Vertex vertex_of(const glm::dvec3& direction, const glm::dvec3& middle, const f64::Height& shown,
+                 const f64::Height& held) {
+  const f64::Height& look = shown.iced ? shown : held;
+  const glm::dvec3 along = look.gradient - glm::dot(look.gradient, direction) * direction;
+  // Halves between ice and none are rounded to halves: no more than that is told apart by the whole part.
+  const double openness = std::clamp(look.openness, 0.01, 0.99) + (shown.iced ? 2.0 : 0.0);
+  return {
+      direction - middle + shown.value * direction, shown.value, glm::dvec4(along, openness), {held.mean, held.shape}};
 }
 
 Vertex between(const Vertex& a, const Vertex& b) {
@@ -39,12 +45,17 @@ Levels vertices_of(const NodeGrid& grid, const NodePatch& patch, const GridNode&
   levels.own.reserve(patch.vertices.size());
   levels.above.resize(patch.vertices.size());
   const auto is_of_above = [&](std::size_t n) { return patch.vertices[n].from == n; };
+  static_assert(held_spacings == 2.0);  // so that what is held is what the level above shows
   const double spacing = grid.spacing(node.level, patch.cells);
+  const std::array<double, 3> footprints = {spacing, 2.0 * spacing, 4.0 * spacing};
+  std::array<f64::Height, 3> heights;
   for (std::size_t n = 0; n < patch.vertices.size(); ++n) {
     const glm::dvec3 direction = grid.vertex_direction(node, patch.vertices[n].i, patch.vertices[n].j, patch.cells);
-    levels.own.push_back(vertex_at(direction, middle, terrain, spacing));
-    if (!is_of_above(n)) continue;
-    levels.above[n] = node.level > 0 ? vertex_at(direction, middle, terrain, 2.0 * spacing) : levels.own[n];
+    heights_at(direction, terrain, std::span(footprints).first(is_of_above(n) ? 3 : 2), heights);
+    const auto& [own, above, far] = heights;
+    levels.own.push_back(vertex_of(direction, middle, own, above));
+    // Nothing is above the first level: it keeps its shape.
+    if (is_of_above(n)) levels.above[n] = vertex_of(direction, middle, node.level > 0 ? above : own, far);
   }
   for (std::size_t n = 0; n < patch.vertices.size(); ++n) {
     if (is_of_above(n)) continue;

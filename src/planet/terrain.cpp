@@ -1,10 +1,12 @@
 #include "planet/terrain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
+#include "base/check.hpp"
 #include "planet/icosphere.hpp"
 #include "planet/octaves.hpp"
 
@@ -67,6 +69,54 @@ double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, d
 
 double exact_ground_radius(const f64::Terrain& terrain, const glm::dvec3& direction, double edge) {
   return 1.0 + f64::terrain_height_at(direction, terrain, edge).value;
+}
+
+namespace {
+
+void add_layers(const glm::dvec3& direction, const f64::Terrain& terrain, std::span<f64::HeightParts> parts) {
+  double frequency = terrain.frequency;
+  for (int i = 0; i < terrain.octaves; ++i) {
+    f64::Noise noise = f64::no_noise();
+    if (f64::layer_weight(frequency, parts.front().footprint) > 0.0)
+      noise = f64::height_noise(direction, terrain, i, frequency);
+    for (f64::HeightParts& each : parts) f64::add_height_layer(each, terrain, i, frequency, noise);
+    frequency *= terrain.lacunarity;
+  }
+}
+
+void dig_craters(const glm::dvec3& direction, const f64::Craters& craters, std::span<f64::HeightParts> parts) {
+  double frequency = craters.frequency;
+  for (int i = 0; i < craters.sizes; ++i) {
+    if (f64::crater_weight(frequency, parts.front().footprint) <= 0.0) return;  // and so is that of all smaller ones
+    double dug = 0.0;
+    glm::dvec3 slope(0.0);
+    f64::add_craters_of_size(direction, i, frequency, craters.seed, craters.depth, dug, slope);
+    for (f64::HeightParts& each : parts) {
+      const double shown = f64::crater_weight(frequency, each.footprint);
+      each.dug += shown * dug;
+      each.dug_gradient += shown * slope;
+    }
+    frequency *= f64::crater_step;
+  }
+}
+
+}  // namespace
+
+void heights_at(const glm::dvec3& direction, const f64::Terrain& terrain, std::span<const double> footprints,
+                std::span<f64::Height> heights) {
+  constexpr std::size_t most = 4;
+  CHECK(footprints.size() <= most && heights.size() >= footprints.size(), footprints.size());
+  if (terrain.map.map != nullptr) {
+    for (std::size_t n = 0; n < footprints.size(); ++n)
+      heights[n] = f64::terrain_height_at(direction, terrain, footprints[n]);
+    return;
+  }
+  std::array<f64::HeightParts, most> room;
+  const std::span parts = std::span(room).first(footprints.size());
+  std::transform(footprints.begin(), footprints.end(), parts.begin(), f64::no_height);
+  add_layers(direction, terrain, parts);
+  if (terrain.craters.depth > 0.0) dig_craters(direction, terrain.craters, parts);
+  for (std::size_t n = 0; n < parts.size(); ++n) heights[n] = f64::height_of(parts[n], direction, terrain);
 }
 
 double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, int level) {

@@ -1,6 +1,7 @@
 // The ground of a scene on the CPU: the same formulas as on the GPU. Lengths in planet radii.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -34,6 +35,11 @@ double ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, d
 // The same where steps of a walker count: single precision places no finer than 0.4 m on a planet as large as the
 // Earth.
 double exact_ground_radius(const f64::Terrain& terrain, const glm::dvec3& direction, double edge);
+
+// terrain_height_at of a direction (unit) for several footprints (rad), the finest first: what they have in common,
+// which is nearly all, is computed once. heights: room for as many, at least.
+void heights_at(const glm::dvec3& direction, const f64::Terrain& terrain, std::span<const double> footprints,
+                std::span<f64::Height> heights);
 
 // Radius of the flat triangle that a mesh of the given icosphere level shows at a direction.
 double drawn_ground_radius(const f32::Terrain& terrain, const glm::dvec3& direction, int level);

@@ -137,12 +137,13 @@ TEST(TerrainHeight, RangesStandOnHighGroundOnly) {
 TEST(TerrainHeight, IsThatOfItsMeansWhateverElseIsAddedToThem) {
   Places places(29U);
   for (const f64::Terrain& t : kinds()) {
-    if (t.ice.sea > 0.0) continue;
     for (int i = 0; i < 500; ++i) {
       const glm::dvec3 d = places.on_sphere();
       for (const double footprint : {0.0, 0.01, 0.1}) {
         const f64::Height ground = f64::terrain_height_at(d, t, footprint);
-        EXPECT_EQ(ground.value, f64::relief_of(t, ground.mean, ground.shape).value);
+        if (!ground.iced) {
+          EXPECT_EQ(ground.value, f64::relief_of(t, ground.mean, ground.shape).value);
+        }
       }
     }
   }

@@ -164,18 +164,44 @@ TEST_P(NodeMeshes, HaveTheTrueHeightsInSinglePrecision) {
   }
 }
 
-// Pixels add to the means that the heights are made of.
-TEST(NodeMesh, TellsTheMeansThatItsHeightsAreMadeOf) {
+// Pixels add to the means that a smoother ground is made of.
+TEST(NodeMesh, TellsTheMeansOfTheGroundThatPixelsGoOnWith) {
   const f64::Terrain terrain = exact_terrain_of(find_preset("blue")->scene);
   const CubeGrid grid;
   const NodePatch patch = grid.patch(8);
+  const GridNode node = {0, 3, 2, 5};
   NodeVertices vertices;
-  const NodeFrame frame = make_node(grid, patch, {0, 3, 2, 5}, terrain, vertices);
+  make_node(grid, patch, node, terrain, vertices);
+  const double footprint = held_spacings * grid.spacing(node.level, patch.cells);
+  const std::vector<glm::dvec3> directions = test::directions_of(grid, patch, node);
   for (std::size_t n = 0; n < vertices.means.size(); ++n) {
-    const glm::dvec4 own = vertices.means[n];
-    const double height = frame.base + double{vertices.place[n].w};
-    EXPECT_NEAR(f64::relief_of(terrain, own.x, own.y).value, height, 1e-5 * terrain.height) << n;
+    const glm::dvec4 means = vertices.means[n];
+    const double height = f64::terrain_height_at(directions[n], terrain, footprint).value;
+    EXPECT_NEAR(f64::relief_of(terrain, means.x, means.y).value, height, 1e-6 * terrain.height) << n;
   }
+}
+
+// Whole where the vertex is ice, half where it is midway between one that is and one that is not.
+TEST(NodeMesh, TellsIceFromOpennessByItsWholePart) {
+  const f64::Terrain terrain = exact_terrain_of(find_preset("blue")->scene);
+  const CubeGrid grid;
+  const NodePatch patch = grid.patch(28);
+  NodeVertices vertices;
+  int iced = 0, halves = 0;
+  for (const std::uint32_t x : {3U, 4U}) {
+    const GridNode node = {4, 3, x, 3};
+    make_node(grid, patch, node, terrain, vertices);
+    const std::vector<glm::dvec3> directions = test::directions_of(grid, patch, node);
+    for (std::size_t n = 0; n < directions.size(); ++n) {
+      const bool is_ice = f64::terrain_height_at(directions[n], terrain, grid.spacing(node.level, 28)).iced;
+      const float own = vertices.slope[n].w, above = own + vertices.coarser_slope[n].w;
+      EXPECT_EQ(std::floor(own), is_ice ? 2.0F : 0.0F);
+      iced += is_ice ? 1 : 0;
+      halves += std::floor(above) == 1.0F ? 1 : 0;
+    }
+  }
+  EXPECT_GT(iced, 100);
+  EXPECT_GT(halves, 3);
 }
 
 }  // namespace
