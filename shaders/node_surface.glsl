@@ -39,7 +39,7 @@ struct Added {
 
 // Craters that the vertices can't hold and a pixel can, added to the mean of all layers. They are told from the direction
 // itself: where pixels come near to what a float knows of it, the vertices hold them all.
-void add_finer_craters(inout Added mean, vec3 up, float footprint) {
+void add_finer_craters(inout Added mean, inout float relief, vec3 up, float footprint) {
   if (terrain_craters <= 0.0 || terrain_height <= 0.0) return;
   float dug = 0.0, frequency = terrain_crater_frequency;
   vec3 slope = vec3(0.0);
@@ -52,10 +52,11 @@ void add_finer_craters(inout Added mean, vec3 up, float footprint) {
   }
   mean.value += dug / terrain_height;
   mean.gradient += slope / terrain_height;
+  relief += all_layers() / terrain_height * dug * terrain_crater_frequency;
 }
 
-// Layers that the vertices can't hold and a pixel can, added to the mean of all and to that of ridges.
-void add_finer_layers(inout Added mean, inout Added ridges, vec3 from_anchor, float footprint) {
+// Layers that the vertices can't hold and a pixel can, added to the mean of all, to that of ridges and to the relief.
+void add_finer_layers(inout Added mean, inout Added ridges, inout float relief, vec3 from_anchor, float footprint) {
   float amplitude = node_layers.y;
   bool is_ridged = terrain_ridged != 0, has_ranges = node_has_ranges && terrain_ranges > 0.0;
   for (int i = int(node_layers.x); i < int(ground_map_scale.z); ++i) {
@@ -65,7 +66,9 @@ void add_finer_layers(inout Added mean, inout Added ridges, vec3 from_anchor, fl
     Noise n = layer_noise(i, from_anchor);
     float shown = amplitude * max(weight - held_of_layer(frequency), 0.0);
     float of_mean = shown / all_layers(), of_ridges = shown / all_ridges();
-    mean.value += of_mean * (layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged));
+    float added = layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged);
+    mean.value += of_mean * added;
+    if (i > 0) relief += shown * frequency * added;
     mean.gradient += (of_mean * frequency * layer_slope(n.value, is_ridged, terrain_ridge_sharpness)) * n.gradient;
     if (has_ranges && i >= terrain_range_layer) {
       ridges.value += of_ridges * (layer_value(n.value, true, terrain_ridge_sharpness) - layer_mean(true));
@@ -79,8 +82,9 @@ void add_finer_layers(inout Added mean, inout Added ridges, vec3 from_anchor, fl
 // they can't. Ice is where the vertices have it. up: unit; footprint: rad.
 GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
   Added mean = Added(0.0, vec3(0.0)), shape = mean;
-  add_finer_layers(mean, shape, from_anchor, footprint);
-  add_finer_craters(mean, up, footprint);
+  float relief = 0.0;  // of a ground as high as the sum of all layers
+  add_finer_layers(mean, shape, relief, from_anchor, footprint);
+  add_finer_craters(mean, relief, up, footprint);
   add_finer_map(shape.value, shape.gradient, up, footprint);
   Relief held = node_relief(node_height.y, node_height.z);
   Relief all = node_relief(node_height.y + mean.value, max(node_height.z + shape.value, 0.0));
@@ -89,7 +93,8 @@ GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
   float before = steepness(held, layers, ridges);
   float steeper = before > 0.0 ? min(steepness(all, layers, ridges) / before, 4.0) : 1.0;
   GroundAt ground;
-  ground.openness = node_slope.w;
+  float rise = all.by_mean / all_layers() + (node_has_ranges ? all.by_shape / all_ridges() : 0.0);
+  ground.openness = openness_of(steeper * node_slope.w + (1.0 - node_height.w) * rise * relief);
   ground.height = mix(all.value - node_sea_level, node_height.x, node_height.w);
   vec3 finer = all.by_mean * mean.gradient + all.by_shape * shape.gradient;
   vec3 gradient = steeper * node_slope.xyz + (1.0 - node_height.w) * finer;

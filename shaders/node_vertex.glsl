@@ -6,9 +6,9 @@
 // A row a node, a texel a vertex, row after row along x (src/planet/node_mesh.hpp).
 uniform sampler2D node_places;   // xyz: from the node's centre; w: height over its base
 uniform sampler2D node_coarser;  // what is added to them where the level above takes over
-uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: openness, and 2 more where ice lies
+uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: relief of Height
 uniform sampler2D node_coarser_slopes;
-uniform sampler2D node_means;  // xy: mean and shape of Height; zw: what is added to them
+uniform sampler2D node_means;  // xy: mean and shape of Height, to which 8 is added where ice lies, 4 midway; zw: what is added to them
 uniform vec4 node_morph;  // x, y: distances, edges of a node, from which to which one level passes to the next; z: square of the eye's lift; w: skirt, rad
 uniform int node_cells;   // along a side of a node
 
@@ -19,7 +19,7 @@ layout(location = 3) in vec4 node_sea;     // xyz: the middle at the sea's level
 layout(location = 4) in vec4 node_around;  // x: as DrawnNode's coarser; y, z: first layer of noise that the node's vertices don't tell whole, and its strength; w: footprint that they tell the ground for, rad
 layout(location = 5) in ivec2 node_corner;  // x: the texel; y: sides and corners that the vertex lies on (NodePatch), negative at the lower end of a skirt
 
-out vec4 node_slope;        // xyz: gradient of the height along the sphere; w: openness
+out vec4 node_slope;        // xyz: gradient of the height along the sphere; w: relief of Height
 out vec4 node_height;       // x: of ice over the water; y, z: Height's mean and shape; w: part that is ice
 out vec2 node_held;         // x: footprint that the vertices tell the ground for, rad, the level above for twice as much; y: part of that
 flat out vec2 node_layers;  // x: first that the vertices don't hold whole; y: its strength, of that of the first of all
@@ -48,11 +48,11 @@ NodeVertex node_vertex() {
   if ((abs(node_corner.y) & int(node_around.x)) != 0) part = 1.0;
   own += part * texelFetch(node_coarser, texel, 0);
   vec4 means = texelFetch(node_means, texel, 0);
-  vec4 slope = texelFetch(node_slopes, texel, 0);
-  vec4 coarser = slope + texelFetch(node_coarser_slopes, texel, 0);
-  vec2 twice_iced = floor(vec2(slope.w, coarser.w));
-  node_slope = mix(vec4(slope.xyz, slope.w - twice_iced.x), vec4(coarser.xyz, coarser.w - twice_iced.y), part);
-  node_height = vec4(node_sea.w + own.w, means.xy + part * means.zw, 0.5 * mix(twice_iced.x, twice_iced.y, part));
+  node_slope = texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
+  float shape = means.y, coarser_shape = means.y + means.w;
+  float iced = floor(0.25 * shape + 0.01), coarser_iced = floor(0.25 * coarser_shape + 0.01);
+  shape = mix(shape - 4.0 * iced, coarser_shape - 4.0 * coarser_iced, part);
+  node_height = vec4(node_sea.w + own.w, means.x + part * means.z, shape, 0.5 * mix(iced, coarser_iced, part));
   node_held = vec2(node_around.w, part);
   node_layers = node_around.yz;
   NodeVertex v;

@@ -32,6 +32,7 @@ struct Terrain {
 struct Height {
   float value;
   vec3 gradient;
+  float relief;    // what openness is told of (openness_of)
   float openness;  // 0..1: below a half in hollows, above it on crests
   // What it is made of, under the ice (relief_of): the mean of all layers, and that of the ridges of ranges. Where a map
   // tells continents (mapped_relief_of), what the layers finer than it add to that mean, and what the map tells.
@@ -156,6 +157,9 @@ Relief relief_of(Terrain t, float mean, float ridges) {
   return r;
 }
 
+// Ice lies open: to three fifths.
+const float relief_of_ice = 0.0204;
+
 // Ice lies over what is lower.
 void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
   if (!ice_near(direction, ice)) return;
@@ -163,7 +167,8 @@ void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
   if (height <= ground.value) return;
   ground.value = height;
   ground.gradient = vec3(0.0);
-  ground.openness = 0.6;
+  ground.relief = relief_of_ice;
+  ground.openness = openness_of(relief_of_ice);
   ground.iced = true;
 }
 
@@ -225,7 +230,8 @@ Height height_of(HeightParts p, vec3 direction, Terrain t) {
   float relief = p.relief + total * of_dug * p.dug * t.craters.frequency;
   ground.value = relief_here.value;
   ground.gradient = rise * gradient + rise_of_ridges * p.ridges.gradient;
-  ground.openness = openness_of(relief * (rise + rise_of_ridges));
+  ground.relief = relief * (rise + rise_of_ridges);
+  ground.openness = openness_of(ground.relief);
   lay_ice(ground, direction, t.ice, p.footprint);
   return ground;
 }

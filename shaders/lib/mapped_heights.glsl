@@ -73,7 +73,8 @@ Height mapped_height_at(vec3 direction, Terrain t, highp sampler2D map, float fo
   float rise = relief_here.by_mean / total;
   ground.value = relief_here.value;
   ground.gradient = relief_here.by_shape * shape.gradient + rise * gradient;
-  ground.openness = openness_of(t.height * shape.relief + relief * rise);
+  ground.relief = t.height * shape.relief + relief * rise;
+  ground.openness = openness_of(ground.relief);
   lay_ice(ground, direction, t.ice, footprint);
   return ground;
 }

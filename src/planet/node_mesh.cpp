@@ -24,10 +24,10 @@ Vertex vertex_of(const glm::dvec3& direction, const glm::dvec3& middle, const f6
                  const f64::Height& held) {
   const f64::Height& look = shown.iced ? shown : held;
   const glm::dvec3 along = look.gradient - glm::dot(look.gradient, direction) * direction;
-  // Halves between ice and none are rounded to halves: no more than that is told apart by the whole part.
-  const double openness = std::clamp(look.openness, 0.01, 0.99) + (shown.iced ? 2.0 : 0.0);
-  return {
-      direction - middle + shown.value * direction, shown.value, glm::dvec4(along, openness), {held.mean, held.shape}};
+  return {direction - middle + shown.value * direction,
+          shown.value,
+          glm::dvec4(along, look.relief),
+          {held.mean, held.shape + (shown.iced ? ice_flag : 0.0)}};
 }
 
 Vertex between(const Vertex& a, const Vertex& b) {

@@ -19,11 +19,16 @@ struct NodeVertices {
   std::vector<glm::vec4> place;    // xyz: from the node's centre; w: height over its base
   std::vector<glm::vec4> coarser;  // what is to be added to them
   // Of what pixels go on with, which is the ground that vertices held_spacings times as far apart would show. xyz:
-  // gradient of the height, along the sphere, none on ice; w: openness, and 2 more where ice lies
+  // gradient of the height, along the sphere, none on ice; w: relief of Height
   std::vector<glm::vec4> slope;
   std::vector<glm::vec4> coarser_slope;
-  std::vector<glm::vec4> means;  // xy: mean and shape of Height; zw: what is to be added to them
+  // xy: mean and shape of Height, to which ice_flag is added where ice lies, and half of it midway between ice and
+  // none; zw: what is to be added to them
+  std::vector<glm::vec4> means;
 };
+
+// More than twice what shapes are.
+inline constexpr double ice_flag = 8.0;
 
 // The finest layer that vertices show bends too much from one to the next for pixels to find it on a straight line
 // between them: those take from vertices only what has twice as many to each of its waves, and add the rest.

@@ -85,18 +85,18 @@ Scene moon_ground(double clearance, double pitch) {
 void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
 
 const Place places[] = {
-    {"from_10_m", -41.3, 131.5, 10.0, -6.0, 35.3, 0.0135, 0.0005, 0.0081, 4.7, 36.1},
-    {"from_100_m", -41.3, 131.5, 100.0, -6.0, 36.2, 0.012, 0.0011, 0.0087, 4.4, 40.1},
-    {"from_1_km", -41.3, 131.5, 1e3, -8.0, 33.1, 0.0133, 0.0009, 0.012, 3.6, 34.3},
-    {"from_10_km", -41.3, 131.5, 1e4, -12.0, 35.8, 0.011, 0.0011, 0.0086, 3.2, 36.9},
-    {"from_100_km", -41.3, 131.5, 1e5, -20.0, 38.3, 0.0078, 0.0008, 0.0065, 2.8, 42.3},
-    {"from_1000_km", -41.3, 131.5, 1e6, -45.0, 44.0, 0.0061, 0.0006, 0.002, 1.2, 49.4},
-    {"from_10000_km", -41.3, 131.5, 1e7, -90.0, 47.3, 0.0022, 0.0006, 0.001, 0.062, 51.5},
-    {"from_40000_km", -41.3, 131.5, 4e7, -90.0, 54.8, 0.0008, 0.0007, 0.003, 0.13, 74.8},
+    {"from_10_m", -41.3, 131.5, 10.0, -6.0, 35.3, 0.0153, 0.0005, 0.0081, 4.8, 36.1},
+    {"from_100_m", -41.3, 131.5, 100.0, -6.0, 36.2, 0.0136, 0.0011, 0.0087, 4.6, 40.1},
+    {"from_1_km", -41.3, 131.5, 1e3, -8.0, 33.1, 0.0142, 0.0009, 0.012, 3.7, 34.3},
+    {"from_10_km", -41.3, 131.5, 1e4, -12.0, 35.8, 0.0119, 0.0011, 0.0086, 3.2, 36.9},
+    {"from_100_km", -41.3, 131.5, 1e5, -20.0, 38.3, 0.0081, 0.0008, 0.0065, 2.7, 42.3},
+    {"from_1000_km", -41.3, 131.5, 1e6, -45.0, 44.0, 0.0051, 0.0006, 0.002, 0.9, 49.7},
+    {"from_10000_km", -41.3, 131.5, 1e7, -90.0, 47.0, 0.0023, 0.0006, 0.001, 0.068, 51.5},
+    {"from_40000_km", -41.3, 131.5, 4e7, -90.0, 55.0, 0.0008, 0.0007, 0.003, 0.13, 71.5},
     {"at_a_pole", 90.0, 10.0, 1e4, -20.0, 80.0, 0.0007, 0.0003, 0.0002, 0.031, 80.0},
     {"at_the_date_line", 19.0, 180.0, 1e4, -20.0, 80.0, 0.0007, 0.0003, 0.00035, 0.042, 80.0},
     {"at_a_corner_of_the_cube", 35.26438968, 45.0, 1e4, -20.0, 80.0, 0.0006, 0.0004, 0.00021, 0.031, 80.0},
-    {"at_a_corner_of_triangles", 26.56505118, 0.0, 1e4, -20.0, 34.3, 0.0136, 0.0007, 0.0061, 3.0, 38.4},
+    {"at_a_corner_of_triangles", 26.56505118, 0.0, 1e4, -20.0, 34.3, 0.0136, 0.0007, 0.0061, 3.0, 38.5},
 };
 
 class Grounds : public testing::TestWithParam<Place> {};
@@ -139,12 +139,13 @@ struct OverCraters {
   double psnr;  // dB, at the least
 };
 
-// Craters pass from pixels to vertices as one comes nearer.
+// Craters pass from pixels to vertices as one comes nearer. In so few pixels vertices stand as near to each other as
+// pixels do, so that the reference tells those small craters apart that pixels leave out.
 TEST(GroundsWithCraters, ShowThemFromOrbitToTheRimOfOne) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  // Measured: 43.7 to 44.9, 44.4 to 47.7, 41.8 to 44.0.
-  for (const OverCraters& view : {OverCraters{3e6, -90.0, 43.2}, {1e5, -14.0, 43.9}, {5e3, -12.0, 41.3}}) {
+  // Measured: 43.0 to 43.8, 40.6 to 42.1, 39.7 to 40.8.
+  for (const OverCraters& view : {OverCraters{3e6, -90.0, 42.6}, {1e5, -14.0, 40.2}, {5e3, -12.0, 39.3}}) {
     const Scene scene = moon_ground(view.clearance, view.pitch);
     const test::Exact exact(scene);
     for (const Ground ground : ground_models()) {

@@ -181,8 +181,8 @@ TEST(NodeMesh, TellsTheMeansOfTheGroundThatPixelsGoOnWith) {
   }
 }
 
-// Whole where the vertex is ice, half where it is midway between one that is and one that is not.
-TEST(NodeMesh, TellsIceFromOpennessByItsWholePart) {
+// Half of it is where a vertex is midway between one that is ice and one that is not.
+TEST(NodeMesh, TellsIceByAFlagOnTheShape) {
   const f64::Terrain terrain = exact_terrain_of(find_preset("blue")->scene);
   const CubeGrid grid;
   const NodePatch patch = grid.patch(28);
@@ -194,10 +194,10 @@ TEST(NodeMesh, TellsIceFromOpennessByItsWholePart) {
     const std::vector<glm::dvec3> directions = test::directions_of(grid, patch, node);
     for (std::size_t n = 0; n < directions.size(); ++n) {
       const bool is_ice = f64::terrain_height_at(directions[n], terrain, grid.spacing(node.level, 28)).iced;
-      const float own = vertices.slope[n].w, above = own + vertices.coarser_slope[n].w;
-      EXPECT_EQ(std::floor(own), is_ice ? 2.0F : 0.0F);
+      const float own = vertices.means[n].y, above = own + vertices.means[n].w;
+      EXPECT_EQ(own >= 4.0F, is_ice);
       iced += is_ice ? 1 : 0;
-      halves += std::floor(above) == 1.0F ? 1 : 0;
+      halves += above > 3.9F && above < 7.9F ? 1 : 0;
     }
   }
   EXPECT_GT(iced, 100);
