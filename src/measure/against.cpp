@@ -120,7 +120,7 @@ TradeSummary to_be_measured(const SceneDocument& document, const TradePlan& plan
   summary.size = {static_cast<double>(plan.width), static_cast<double>(plan.height)};
   summary.scene = Json::parse(to_json(document)).dump();
   summary.judged_at = judged_at(document.scene);
-  for (const Camera& camera : cameras_for(document.scene, plan))
+  for (const Viewpoint& camera : cameras_for(document.scene, plan))
     summary.cameras += Json::parse(to_json(as_seen_by(document, camera))).dump() + '\n';
   return summary;
 }

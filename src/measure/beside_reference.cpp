@@ -8,7 +8,7 @@
 namespace terrella {
 namespace {
 
-constexpr int places = 48;
+constexpr int places_compared = 48;
 
 // Place i of a sequence that fills a square evenly (Roberts 2018, "The unreasonable effectiveness of quasirandom
 // sequences").
@@ -48,7 +48,7 @@ BesideReference beside_reference(const Scene& scene, const View& view, Pixels li
   const reference::Tracer tracer(scene, view, of_pixels(pose_of(scene, view)));
   const double exposure = std::exp2(scene.picture.exposure);
   BesideReference beside;
-  for (int i = 0; i < places; ++i) {
+  for (int i = 0; i < places_compared; ++i) {
     const glm::dvec2 place = even_place(i);
     const int x = static_cast<int>(place.x * view.width), y = static_cast<int>(place.y * view.height);
     const glm::dvec3 is = light_of_pixel(tracer, {x, y}, exposure);
@@ -59,10 +59,10 @@ BesideReference beside_reference(const Scene& scene, const View& view, Pixels li
       off = std::max(off, std::abs(std::clamp(drawn, 0.0, 1.0) - is[c]));
       brightest = std::max(brightest, is[c]);
     }
-    beside.brightness += brightest / places;
-    beside.light += off / places;
+    beside.brightness += brightest / places_compared;
+    beside.light += off / places_compared;
     const bool sky = std::isinf(tracer.geometry({x + 0.5, y + 0.5}).distance);
-    if (std::isinf(distance[pixel]) != sky) beside.silhouette += 1.0 / places;
+    if (std::isinf(distance[pixel]) != sky) beside.silhouette += 1.0 / places_compared;
   }
   return beside;
 }

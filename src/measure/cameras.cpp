@@ -29,13 +29,13 @@ Scene::camera_group over_the_border(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Camera> cameras_of(const Scene& scene) {
+std::vector<Viewpoint> cameras_of(const Scene& scene) {
   return {{"own", "the scene's own view", scene.camera},
           {"close", "close by: ground and horizon", close_by(scene)},
           {"border", "over the border of day and night: the limb", over_the_border(scene)}};
 }
 
-Scene seen_by(Scene scene, const Camera& camera) {
+Scene seen_by(Scene scene, const Viewpoint& camera) {
   scene.camera = camera.place;
   return scene;
 }

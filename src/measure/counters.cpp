@@ -3,7 +3,7 @@
 namespace terrella {
 namespace {
 
-constexpr Counter all[] = {
+constexpr Counter all_counters[] = {
     {"triangles", "triangles", 1.0, [](const RenderStats& s) { return static_cast<double>(s.triangles); }},
     {"noise_evaluations", "noise, k", 1e3,
      [](const RenderStats& s) { return static_cast<double>(s.noise_evaluations); }},
@@ -14,11 +14,11 @@ constexpr Counter all[] = {
 
 }  // namespace
 
-std::span<const Counter> counters() { return all; }
+std::span<const Counter> counters() { return all_counters; }
 
 std::vector<double> counted(const RenderStats& stats) {
   std::vector<double> values;
-  for (const Counter& counter : all) values.push_back(counter.of(stats));
+  for (const Counter& counter : all_counters) values.push_back(counter.of(stats));
   return values;
 }
 

@@ -11,7 +11,7 @@
 namespace terrella {
 namespace {
 
-constexpr Effect all[] = {
+constexpr Effect all_effects[] = {
     {"clouds", "Clouds", [](Scene& s) { s.clouds.model = choice("clouds.model", "none"); }},
     {"cloud_shadow", "The clouds' shadow", [](Scene& s) { s.clouds.shadow = 0.0; }},
     {"water", "Water", [](Scene& s) { s.water.model = choice("water.model", "none"); }},
@@ -57,7 +57,7 @@ Scene without_the_unseen(Scene scene) {
 
 }  // namespace
 
-std::span<const Effect> effects() { return all; }
+std::span<const Effect> effects() { return all_effects; }
 
 bool has(const Scene& scene, const Effect& effect) {
   const Scene seen = without_the_unseen(scene);

@@ -19,7 +19,7 @@
 namespace terrella {
 namespace {
 
-constexpr int places = 20'000;
+constexpr int places_looked_at = 20'000;
 
 ErrorSpread spread_of_errors(const std::vector<NodeError>& errors, double NodeError::*of) {
   if (errors.empty()) return {};
@@ -158,7 +158,7 @@ GroundMeasured measured_ground(const Scene& scene, const View& view) {
   GroundMeasured measured;
   measured.cells = picture.needs().ground_cells;
   measured.split = picture.ranges().split;
-  const std::vector<NodeError> errors = node_errors(picture, places, footprint_of_pixel(scene));
+  const std::vector<NodeError> errors = node_errors(picture, places_looked_at, footprint_of_pixel(scene));
   measured.places = static_cast<int>(errors.size());
   measured.seen = spread_of_errors(errors, &NodeError::seen);
   measured.upright = spread_of_errors(errors, &NodeError::upright);

@@ -21,7 +21,7 @@ struct Place {
 };
 
 // On land, among mountains.
-constexpr std::array places = {
+constexpr std::array places_of_presets = {
     Place{"blue", -41.3, 131.5, 0.0},
     Place{"highlands", -41.3, 131.5, 0.0},
     Place{"giant", 15.0, 117.0, 0.0},
@@ -35,9 +35,9 @@ Scene seen_from(const SceneDocument& document, double altitude) {
   constexpr double field = 60.0, horizon_over_middle = 12.0, far_away = 60.0;  // deg
   Scene scene = document.scene;
   auto& camera = scene.camera;
-  const auto place =
-      std::find_if(places.begin(), places.end(), [&](const Place& known) { return known.preset == document.preset; });
-  if (place != places.end()) {
+  const auto place = std::find_if(places_of_presets.begin(), places_of_presets.end(),
+                                  [&](const Place& known) { return known.preset == document.preset; });
+  if (place != places_of_presets.end()) {
     camera.latitude = place->latitude;
     camera.longitude = place->longitude;
     camera.heading = place->heading;

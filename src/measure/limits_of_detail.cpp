@@ -15,7 +15,7 @@
 namespace terrella {
 namespace {
 
-constexpr int none = 0;  // of every choice of a model
+constexpr int without = 0;  // of every choice of a model
 
 using Height = std::function<double(const glm::dvec3& direction)>;
 
@@ -108,7 +108,7 @@ double missed_clouds(Renderer& renderer, Scene scene, const View& view) {
 
 Limit cloud_frequencies(Renderer& renderer) {
   Scene start = usual({});
-  start.terrain.model = start.water.model = start.air.model = start.stars.model = none;
+  start.terrain.model = start.water.model = start.air.model = start.stars.model = without;
   start.clouds.octaves = 1;
   start.clouds.warp = start.clouds.swirl = start.clouds.belts = start.clouds.speed = 0.0;
   start.quality.cloud_texels = 128;

@@ -15,7 +15,7 @@
 namespace terrella {
 namespace {
 
-constexpr int none = 0;  // of every choice of a model
+constexpr int no_model = 0;
 
 // Where nothing could be measured, nothing is known to hold.
 double told(const Jitter& jitter, double pixels) {
@@ -94,7 +94,7 @@ Limit latitudes(Renderer& renderer) {
 
 Limit waves_at_all_times(Renderer& renderer) {
   Scene start = usual(find_preset("storm")->scene);
-  start.clouds.model = none;
+  start.clouds.model = no_model;
   start.camera.altitude = 0.3;
   return follow(
       {"waves", "time", "s", hills_error, outline_demand, {}}, start, {0.0, 1.0, 1e3, 1e6, 1e9},

@@ -24,9 +24,9 @@ std::vector<float> draw(Renderer& renderer, const Scene& scene, const View& view
 }
 
 // A channel's values at a pixel and its neighbours.
-class Field {
+class ChannelField {
  public:
-  Field(Pixels pixels, int width, int channels) : pixels_(pixels), width_(width), channels_(channels) {}
+  ChannelField(Pixels pixels, int width, int channels) : pixels_(pixels), width_(width), channels_(channels) {}
 
   [[nodiscard]] double apart(int x, int y, int u, int v) const {
     double squares = 0.0;
@@ -56,13 +56,13 @@ class Field {
   int width_, channels_;
 };
 
-bool is_planet(const Field& field, int x, int y) {
+bool is_planet(const ChannelField& field, int x, int y) {
   const double size = field.size(x, y);
   return std::isfinite(size) && size > 0.0;
 }
 
 // How much a channel changes from pixel to pixel; 0 where it jumps or ends.
-double slope_at(const Field& field, int x, int y) {
+double slope_at(const ChannelField& field, int x, int y) {
   for (const auto& [dx, dy] : {std::array{1, 0}, std::array{-1, 0}, std::array{0, 1}, std::array{0, -1}}) {
     if (!is_planet(field, x + dx, y + dy)) return 0.0;
   }
@@ -97,7 +97,7 @@ double mean_square_difference(Pixels a, Pixels b) {
 
 Jitter jitter_between(Pixels before, Pixels after, int width, int height, int channels, double allowance) {
   CHECK(before.size() == after.size(), before.size(), " and ", after.size());
-  const Field from(before, width, channels), to(after, width, channels);
+  const ChannelField from(before, width, channels), to(after, width, channels);
   Jitter jitter;
   std::vector<double> moves;
   for (int y = 1; y + 1 < height; ++y) {

@@ -43,10 +43,10 @@ std::vector<KnobTrade> knobs_for(const Scene& scene, bool few) {
   return trades;
 }
 
-std::vector<Truth> truths_of(const Scene& scene, const std::vector<Camera>& cameras, const TradePlan& plan,
+std::vector<Truth> truths_of(const Scene& scene, const std::vector<Viewpoint>& cameras, const TradePlan& plan,
                              const TradeProgress& progress) {
   std::vector<Truth> truths;
-  for (const Camera& camera : cameras) {
+  for (const Viewpoint& camera : cameras) {
     const double before = static_cast<double>(truths.size());
     const auto told = [&](double part) {
       progress("drawing the truth", (before + part) / static_cast<double>(cameras.size()));
@@ -130,8 +130,8 @@ TradePlan trade_plan(bool quick) {
   return plan;
 }
 
-std::vector<Camera> cameras_for(const Scene& scene, const TradePlan& plan) {
-  std::vector<Camera> cameras = cameras_of(scene);
+std::vector<Viewpoint> cameras_for(const Scene& scene, const TradePlan& plan) {
+  std::vector<Viewpoint> cameras = cameras_of(scene);
   if (plan.few) cameras.erase(cameras.begin() + 2, cameras.end());
   return cameras;
 }
@@ -176,7 +176,7 @@ TradeReport measure_trade(const SceneDocument& document, const TradePlan& plan, 
   report.plan = plan;
   report.machine = this_machine();
   if (!plan.path_only) report.knobs = knobs_for(document.scene, plan.few);
-  const std::vector<Camera> cameras = cameras_for(document.scene, plan);
+  const std::vector<Viewpoint> cameras = cameras_for(document.scene, plan);
   std::vector<Truth> truths = truths_of(document.scene, cameras, plan, progress);
   for (std::size_t c = 0; c < cameras.size(); ++c) {
     report.cameras.push_back({cameras[c], truths[c].self_psnr(), truths[c].samples(), thumbnail(truths[c].picture())});

@@ -28,7 +28,7 @@ struct TradePlan {
 TradePlan trade_plan(bool quick);
 
 // From where a plan looks at a scene.
-std::vector<Camera> cameras_for(const Scene& scene, const TradePlan& plan);
+std::vector<Viewpoint> cameras_for(const Scene& scene, const TradePlan& plan);
 
 // Where it was measured.
 struct Machine {
@@ -79,7 +79,7 @@ struct EffectTrade {
 };
 
 struct CameraTruth {
-  Camera camera;
+  Viewpoint camera;
   double self_psnr;  // as of Truth
   int samples;
   Image picture;  // small

@@ -121,7 +121,7 @@ Json effects_json(const TradeReport& report) {
 
 }  // namespace
 
-SceneDocument as_seen_by(SceneDocument document, const Camera& camera) {
+SceneDocument as_seen_by(SceneDocument document, const Viewpoint& camera) {
   document.scene = seen_by(document.scene, camera);
   return document;
 }

@@ -23,7 +23,7 @@ double quick_ms(Subject& subject, Stopwatch& stopwatch) {
   return least;
 }
 
-Offer quick_offer(Subject& subject, Stopwatch& stopwatch, const Scene& scene, const std::vector<Camera>& cameras,
+Offer quick_offer(Subject& subject, Stopwatch& stopwatch, const Scene& scene, const std::vector<Viewpoint>& cameras,
                   const std::vector<Truth>& truths) {
   Offer offer;
   const double share = 1.0 / static_cast<double>(cameras.size());
@@ -38,7 +38,7 @@ Offer quick_offer(Subject& subject, Stopwatch& stopwatch, const Scene& scene, co
 }  // namespace
 
 std::vector<Estimate> try_settings(const Scene& scene, const std::vector<KnobTrade>& knobs,
-                                   const std::vector<Camera>& cameras, const std::vector<Truth>& truths,
+                                   const std::vector<Viewpoint>& cameras, const std::vector<Truth>& truths,
                                    const TradePlan& plan, const std::function<void(double part)>& progress,
                                    std::vector<Scene>& scenes) {
   Subject subject(plan.width, plan.height);

@@ -15,9 +15,9 @@ namespace {
 // Timed, after one that is not: the renderer before it leaves its own things in caches.
 constexpr int frames_a_turn = 2;
 
-class Table {
+class TurnTable {
  public:
-  Table(const TradePlan& plan, std::size_t scenes) {
+  TurnTable(const TradePlan& plan, std::size_t scenes) {
     for (std::size_t i = 0; i < scenes; ++i) subjects_.push_back(std::make_unique<Subject>(plan.width, plan.height));
   }
 
@@ -71,12 +71,12 @@ std::vector<std::size_t> order_of(std::size_t round, std::size_t count) {
 
 }  // namespace
 
-Turns take_turns(const std::vector<Timed>& scenes, const std::vector<Camera>& cameras, std::vector<Truth>& truths,
+Turns take_turns(const std::vector<Timed>& scenes, const std::vector<Viewpoint>& cameras, std::vector<Truth>& truths,
                  const TradePlan& plan, const std::function<void(double part)>& progress) {
   const std::size_t count = scenes.size(), rounds = static_cast<std::size_t>(plan.rounds);
   Turns turns;
   turns.sightings.resize(count);
-  Table table(plan, count);
+  TurnTable table(plan, count);
   const double all = static_cast<double>(cameras.size() * count * (rounds + 4));
   double done = 0.0;
   for (std::size_t c = 0; c < cameras.size(); ++c) {

@@ -24,7 +24,7 @@ struct Turns {
 };
 
 // Each scene has a renderer of its own. truths: by camera.
-Turns take_turns(const std::vector<Timed>& scenes, const std::vector<Camera>& cameras, std::vector<Truth>& truths,
+Turns take_turns(const std::vector<Timed>& scenes, const std::vector<Viewpoint>& cameras, std::vector<Truth>& truths,
                  const TradePlan& plan, const std::function<void(double part)>& progress);
 
 }  // namespace terrella

@@ -68,7 +68,7 @@ TEST(Knobs, NameASettingByWhatDiffersFromTheDefaults) {
 TEST(Cameras, DependOnTheSceneAloneAndStayOutOfTheGround) {
   for (const Preset& preset : presets()) {
     std::set<std::string> names;
-    for (const Camera& camera : cameras_of(preset.scene)) {
+    for (const Viewpoint& camera : cameras_of(preset.scene)) {
       EXPECT_TRUE(names.insert(camera.name).second);
       const Scene scene = seen_by(preset.scene, camera);
       EXPECT_FALSE(camera.name != "own" && pose_of(scene, {}).raised) << preset.name << ' ' << camera.name;

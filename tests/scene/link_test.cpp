@@ -9,13 +9,13 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-struct Loaded {
+struct Followed {
   SceneDocument document;
   Sentences sentences;
 };
 
-Loaded load(std::string_view link) {
-  Loaded loaded;
+Followed follow(std::string_view link) {
+  Followed loaded;
   loaded.sentences = load_link(loaded.document, link).sentences();
   return loaded;
 }
@@ -34,10 +34,10 @@ TEST(Link, RoundTripsRandomScenes) {
   for (int i = 0; i < 1000; ++i) {
     const SceneDocument document = random_document(random);
     const std::string link = to_link(document);
-    const Loaded loaded = load(link);
+    const Followed loaded = follow(link);
     ASSERT_EQ(loaded.sentences, Sentences{}) << link;
     ASSERT_EQ(loaded.document, document) << link;
-    ASSERT_EQ(load("https://example.org/a/index.html?" + link + "#there").document, document) << link;
+    ASSERT_EQ(follow("https://example.org/a/index.html?" + link + "#there").document, document) << link;
   }
 }
 
@@ -46,7 +46,7 @@ TEST(Link, EscapesTheNameOfAFile) {
   document.scene.terrain.map.name = "Große Erde #2 & 100%+.png";
   const std::string link = to_link(document);
   EXPECT_EQ(link, "terrain.map=Gro%C3%9Fe%20Erde%20%232%20%26%20100%25%2B.png");
-  EXPECT_EQ(load(link).document, document);
+  EXPECT_EQ(follow(link).document, document);
 }
 
 TEST(ToLink, NeedsNoEscapes) {
@@ -64,23 +64,23 @@ TEST(LoadLink, TakesAWholeLinkOrItsQuery) {
   for (const char* link : {"waves.count=8", "?waves.count=8", "https://example.org/?waves.count=8",
                            "http://localhost:8000/index.html?panel=0&waves.count=8&pause=1#top", "&&waves.count=8&",
                            "waves%2Ecount=%38"}) {
-    const Loaded loaded = load(link);
+    const Followed loaded = follow(link);
     EXPECT_EQ(loaded.sentences, Sentences{}) << link;
     EXPECT_EQ(loaded.document, expected) << link;
   }
-  EXPECT_EQ(load("https://example.org/index.html").document, SceneDocument{});
-  EXPECT_EQ(load("").sentences, Sentences{});
+  EXPECT_EQ(follow("https://example.org/index.html").document, SceneDocument{});
+  EXPECT_EQ(follow("").sentences, Sentences{});
 }
 
 TEST(LoadLink, TakesAColorInEachSpelling) {
   for (const char* link :
        {"sun.color=ff8800", "sun.color=%23ff8800", "sun.color=#FF8800", "http://a/?sun.color=%23ff8800"}) {
-    EXPECT_EQ(load(link).document.scene.sun.color, (Color{255, 136, 0})) << link;
+    EXPECT_EQ(follow(link).document.scene.sun.color, (Color{255, 136, 0})) << link;
   }
 }
 
 TEST(LoadLink, SaysEachThingThatIsWrongAndAppliesTheRest) {
-  const Loaded loaded = load(
+  const Followed loaded = follow(
       "preset=moom&wavs.count=3&waves.count=8&waves.steepness=2&terrain.ridged=maybe&water.model=still+water&sun.color="
       "%2"
       "&sun.latitude=%ff&waves.seed&waves.speed=1&waves.speed=2&terrella=9&ui=1");
@@ -104,7 +104,7 @@ TEST(LoadLink, SaysEachThingThatIsWrongAndAppliesTheRest) {
 }
 
 TEST(LoadLink, RefusesWhatIsTooLong) {
-  const Loaded loaded = load("waves.count=8&" + std::string(100'000, 'x'));
+  const Followed loaded = follow("waves.count=8&" + std::string(100'000, 'x'));
   EXPECT_EQ(loaded.sentences, Sentences{"The link is 100014 bytes long; at most 65536 are read."});
   EXPECT_EQ(loaded.document, SceneDocument{});
 }
