@@ -146,6 +146,7 @@ TEST(GroundsWithCraters, ShowThemFromOrbitToTheRimOfOne) {
   ASSERT_TRUE(context) << context.sentence();
   // Measured: 43.0 to 43.8, 40.6 to 42.1, 39.7 to 40.8.
   for (const OverCraters& view : {OverCraters{3e6, -90.0, 42.6}, {1e5, -14.0, 40.2}, {5e3, -12.0, 39.3}}) {
+    if (test::sanitized && view.clearance < 3e6) break;
     const Scene scene = moon_ground(view.clearance, view.pitch);
     const test::Exact exact(scene);
     for (const Ground ground : ground_models()) {
