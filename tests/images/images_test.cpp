@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
+#include "sanitized.hpp"
 #include "scene/choices.hpp"
 #include "scene/parameters.hpp"
 #include "scene/presets.hpp"
@@ -154,6 +155,7 @@ double crawling(Renderer& renderer, Scene scene) {
 }
 
 TEST(Pictures, HardlyCrawlWhileThePlanetTurns) {
+  if (test::sanitized) GTEST_SKIP() << "measures only";
   Studio studio;
   for (const Preset& preset : presets()) {
     // Measured, in steps of 8 bits: dusk 1.1, temperate 2.8, lava 5.1, storm 5.6, alps 6.9; the others in between.

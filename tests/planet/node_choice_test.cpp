@@ -247,7 +247,7 @@ void check_surface(const Nodes& nodes) {
 TEST_P(NodeChoices, MakeOneSurfaceOfAllNodes) {
   Places places(2);
   Scene scene = planet(2e-2);
-  for (int n = 0; n < 25; ++n) {
+  for (int n = 0; n < (test::sanitized ? 3 : 25); ++n) {
     Nodes nodes(scene, GetParam(), places.between(0.0, 1.25), n % 2 == 0 ? 8 : 14);
     place_at_random(scene, places);
     nodes.choose(scene, true);
@@ -261,7 +261,7 @@ TEST_P(NodeChoices, MakeOneSurfaceWhileSomeAreStillMissing) {
   Places places(3);
   Scene scene = planet(2e-2);
   int missing = 0;
-  for (int n = 0; n < 40; ++n) {
+  for (int n = 0; n < (test::sanitized ? 6 : 40); ++n) {
     Nodes nodes(scene, GetParam(), 0.0, 8);
     place_at_random(scene, places);
     nodes.choose(scene, true, 1 + n % 12, &places);
@@ -269,7 +269,7 @@ TEST_P(NodeChoices, MakeOneSurfaceWhileSomeAreStillMissing) {
     check_surface(nodes);
     if (HasFailure()) FAIL() << n;
   }
-  EXPECT_GT(missing, 10);
+  EXPECT_GT(missing, test::sanitized ? 1 : 10);
 }
 
 // Whether a triangle of directions, counter-clockwise from outside, has another between them.
@@ -285,7 +285,7 @@ TEST_P(NodeChoices, DropNothingThatCanBeSeen) {
   Scene scene = planet(5e-3);
   scene.terrain.octaves = 12;
   int seen = 0;
-  for (int n = 0; n < 30; ++n) {
+  for (int n = 0; n < (test::sanitized ? 5 : 30); ++n) {
     Nodes nodes(scene, GetParam(), 0.0, 8);
     nodes.stop_at(12);
     place_at_random(scene, places);
@@ -321,7 +321,7 @@ TEST_P(NodeChoices, DropNothingThatCanBeSeen) {
       })) << n;
     }
   }
-  EXPECT_GT(seen, 500);
+  EXPECT_GT(seen, test::sanitized ? 50 : 500);
 }
 
 TEST_P(NodeChoices, SplitWhatIsNear) {
