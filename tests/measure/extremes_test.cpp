@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "gl/caps.hpp"
 #include "measure/examine.hpp"
@@ -18,17 +19,21 @@ class Extremes : public testing::TestWithParam<Api> {};
 TEST_P(Extremes, AreDrawnFiniteWholeAndWithinTheirCost) {
   test::Studio studio(GetParam());
   ASSERT_TRUE(gl::caps().full_float_targets);
+  const std::vector<Case> cases = extreme_cases(test::extent);
+  // Both kinds run the same shaders but for their first lines: of one a part is enough, where there are many.
+  const std::size_t step = GetParam() == Api::core && !test::sanitized ? 3 : 1;
   std::int64_t looked_at = 0;
-  std::size_t number = 0;
-  int compared = 0;
-  for (const Case& entry : extreme_cases(test::extent)) {
-    const Findings found = examine(studio.renderer, entry, compared_with_reference(number++));
+  int drawn = 0, compared = 0;
+  for (std::size_t number = 0; number < cases.size(); number += step) {
+    const Case& entry = cases[number];
+    const Findings found = examine(studio.renderer, entry, compared_with_reference(number));
+    ++drawn;
     compared += found.reference ? 1 : 0;
     EXPECT_TRUE(found.clean()) << entry.group << ", " << entry.name << ": " << found.text();
     looked_at += found.holes.looked_at;
   }
   EXPECT_GT(looked_at, 10'000);  // that no hole was found says something
-  EXPECT_GT(compared, static_cast<int>(number) / 20);
+  EXPECT_GT(compared, drawn / 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(OnBothKinds, Extremes, testing::Values(Api::core, Api::es),
