@@ -5,6 +5,7 @@
 #include "app/still.hpp"
 #include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
+#include "sanitized.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -43,6 +44,7 @@ Image halved(const Image& large) {
 }
 
 TEST(PresetPictures, AreWhatThePresetsShow) {
+  if (test::sanitized) GTEST_SKIP() << "measures only";
   const std::unique_ptr<EglContext> context = std::move(*EglContext::make(Api::core));
   PresetPictures pictures;
   for (int i = 0; i < 5000 && !pictures.complete(); ++i) pictures.advance();
