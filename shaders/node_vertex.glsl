@@ -49,10 +49,10 @@ NodeVertex node_vertex() {
   own += part * texelFetch(node_coarser, texel, 0);
   vec4 means = texelFetch(node_means, texel, 0);
   node_slope = texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
-  float shape = means.y, coarser_shape = means.y + means.w;
-  float iced = floor(0.25 * shape + 0.01), coarser_iced = floor(0.25 * coarser_shape + 0.01);
-  shape = mix(shape - 4.0 * iced, coarser_shape - 4.0 * coarser_iced, part);
-  node_height = vec4(node_sea.w + own.w, means.x + part * means.z, shape, 0.5 * mix(iced, coarser_iced, part));
+  float iced = floor(0.25 * means.y + 0.01);
+  float coarser_iced = floor(0.25 * (means.y + means.w) + 0.01);
+  iced += part * (coarser_iced - iced);
+  node_height = vec4(node_sea.w + own.w, means.xy + part * means.zw - vec2(0.0, 4.0 * iced), 0.5 * iced);
   node_held = vec2(node_around.w, part);
   node_layers = node_around.yz;
   NodeVertex v;

@@ -63,7 +63,7 @@ void add_nodes(Sum& sum, const Needs& needs) {
   const int layers = needs.water != Water::none ? 2 : 1;
   sum.draw(layers * node_slots * triangles, static_cast<int>(lists) * layers);
   for (int n = 0; n < kept; ++n) {
-    for (const int texel_bytes : {16, 16, 8, 8, 8}) sum.texels(vertices * node_slots, texel_bytes);
+    for (const gl::Format format : node_formats) sum.texels(vertices * node_slots, gl::bytes_of(format));
     sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + lists * 6 * triangles + 8 * (vertices + rim));
   }
 }

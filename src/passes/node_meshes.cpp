@@ -44,9 +44,7 @@ void NodeMeshes::make_room(const NodeGrid& grid, int cells) {
   patch_ = grid.patch(cells);
   const auto count = patch_.vertices.size();
   for (std::size_t i = 0; i < textures_.size(); ++i) {
-    const bool are_slopes = i == 2 || i == 3;
-    const gl::Format format = are_slopes ? gl::Format::rgba16f : gl::Format::rgba32f;
-    textures_.at(i) = std::make_unique<gl::Image>(static_cast<int>(count), node_slots, format);
+    textures_.at(i) = std::make_unique<gl::Image>(static_cast<int>(count), node_slots, node_formats.at(i));
   }
   std::vector<glm::ivec2> vertices;
   for (std::size_t n = 0; n < count; ++n) vertices.emplace_back(n, patch_.vertices[n].touches);

@@ -19,6 +19,10 @@ namespace terrella {
 // Kept at a time: a picture draws a hundred to a thousand; the rest is what it would draw from other places.
 inline constexpr int node_slots = 2048;
 
+// Of the textures that hold what NodeVertices has, in its order: a row a node, a texel a vertex.
+inline constexpr std::array node_formats = {gl::Format::rgba32f, gl::Format::rgba32f, gl::Format::rgba16f,
+                                            gl::Format::rgba16f, gl::Format::rgba32f};
+
 // A node's instance, in vec4s.
 inline constexpr int vec4s_a_node = 5;
 
@@ -69,7 +73,7 @@ class NodeMeshes {
   NodeRanges ranges_;
   std::optional<f64::Terrain> terrain_;
   std::optional<gl::HeightTexture> heights_;  // of its map
-  std::array<std::unique_ptr<gl::Image>, 5> textures_;
+  std::array<std::unique_ptr<gl::Image>, node_formats.size()> textures_;
   std::array<Run, most_node_lists> lists_;  // of the triangles (node_triangles)
   std::unique_ptr<gl::Instances> meshes_;
   std::array<std::array<Run, most_node_lists>, 2> runs_;  // of the layers
