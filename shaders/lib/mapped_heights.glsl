@@ -47,7 +47,7 @@ Height mapped_height_at(vec3 direction, Terrain t, highp sampler2D map, float fo
     float shown = i < first ? 0.0 : layer_weight(frequency, footprint);
     float value = 0.0;  // over its mean, which the map holds
     if (shown > 0.0) {
-      Noise n = simplex_noise(ivec3(0), direction * frequency + layer_offset(i, t.seed), layer_seed(i, t.seed));
+      Noise n = height_noise(direction, t, i, frequency);
       value = shown * (layer_value(n.value, t.ridged, t.sharpness) - mean);
       gradient += sum.amplitude * shown * frequency * layer_slope(n.value, t.ridged, t.sharpness) * n.gradient;
       relief += sum.amplitude * frequency * value;

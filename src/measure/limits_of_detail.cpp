@@ -15,8 +15,6 @@
 namespace terrella {
 namespace {
 
-constexpr int without = 0;  // of every choice of a model
-
 using Height = std::function<double(const glm::dvec3& direction)>;
 
 // Part of a relief that is missed at places all over a sphere, root of the mean square.
@@ -108,7 +106,7 @@ double missed_clouds(Renderer& renderer, Scene scene, const View& view) {
 
 Limit cloud_frequencies(Renderer& renderer) {
   Scene start = usual({});
-  start.terrain.model = start.water.model = start.air.model = start.stars.model = without;
+  start.terrain.model = start.water.model = start.air.model = start.stars.model = no_model;
   start.clouds.octaves = 1;
   start.clouds.warp = start.clouds.swirl = start.clouds.belts = start.clouds.speed = 0.0;
   start.quality.cloud_texels = 128;

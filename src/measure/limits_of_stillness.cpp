@@ -15,8 +15,6 @@
 namespace terrella {
 namespace {
 
-constexpr int no_model = 0;
-
 // Where nothing could be measured, nothing is known to hold.
 double told(const Jitter& jitter, double pixels) {
   return jitter.measured > 0.0 ? pixels : std::numeric_limits<double>::infinity();

@@ -10,8 +10,6 @@
 namespace terrella {
 namespace {
 
-constexpr int none = 0;  // of every choice of a model
-
 bool warned(const Scene& scene, const View& view, const std::string& path) {
   const Pose pose = pose_of(scene, view);
   const std::vector<Issue> issues = beyond_validity(scene, view, pose, needs_of(scene, view, pose));
@@ -37,14 +35,14 @@ Scene usual(Scene scene) {
 
 Scene bare_sea() {
   Scene scene = usual({});
-  scene.terrain.model = scene.clouds.model = none;
+  scene.terrain.model = scene.clouds.model = no_model;
   scene.water.ice_latitude = 90.0;
   return scene;
 }
 
 Scene bare_ground(const char* preset) {
   Scene scene = usual(find_preset(preset)->scene);
-  scene.water.model = scene.clouds.model = none;
+  scene.water.model = scene.clouds.model = no_model;
   return scene;
 }
 

@@ -10,6 +10,9 @@
 
 namespace terrella {
 
+// Of every choice of a model the first.
+inline constexpr int no_model = 0;
+
 // 96x54 pixels.
 View small_view(double seconds = 0.0);
 
