@@ -317,8 +317,8 @@ std::vector<double> changes(const Image& a, const Image& b) {
 TEST_P(NodesInPictures, DoNotPopInADescent) {
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  // Measured: of triangles 1.8, of the quadtree 1.4, of dunes 0.3. What changes most are crests of snow and pixels of
-  // shores.
+  // Measured: of triangles 1.9, of the quadtree 1.4, of the grid at the eye 0.4, of dunes 0.3. What changes most are
+  // crests of snow and pixels of shores.
   constexpr double allowed = 2.0;
   const bool prints = std::getenv("TERRELLA_PRINT") != nullptr;
   const View view = part_of_a_picture();
