@@ -1,11 +1,12 @@
 # What there is to do here; `make help` lists it. Set-up is scripts/setup.sh, building is CMake's (CMakePresets.json).
 
-.PHONY: help run test native measure mutation bench gallery format clean setup-% build-%
+.PHONY: help run test test-whole native measure mutation bench gallery format clean setup-% build-%
 .NOTPARALLEL:
 
 help:
 	@echo "make run      build the browser version and serve it on this machine"
 	@echo "make test     build all and run every test"
+	@echo "make test-whole  run those that take long with all of their cameras and steps: an hour or more"
 	@echo "make native   build the desktop program, build/native/terrella"
 	@echo "make measure  measure what accuracy costs, and what holds at the extremes, as pages in build/measure"
 	@echo "make mutation plant mistakes in the formulas and see which tests notice"
@@ -24,6 +25,9 @@ test: setup-test build-native build-sanitize build-web
 	ctest --preset native
 	ctest --preset sanitize
 	@if [ -e tests/web/run.mjs ]; then $(MAKE) --no-print-directory test-web; fi
+
+test-whole: setup-test build-native
+	TERRELLA_WHOLE=1 ctest --preset native
 
 measure: native
 	build/native/terrella measure --out build/measure

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "app/still.hpp"
+#include "effort.hpp"
 #include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
-#include "sanitized.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -54,7 +54,8 @@ TEST(PresetPictures, AreWhatThePresetsShow) {
   StillOptions options;
   options.width = 2 * width;
   options.height = 2 * height;
-  for (std::size_t i = 0; i < presets().size(); ++i) {
+  const auto step = static_cast<std::size_t>(test::by_effort(1, 3, 3));
+  for (std::size_t i = 0; i < presets().size(); i += step) {
     Scene scene = presets()[i].scene;
     scene.quality.antialias = false;
     const Image whole = halved(take_picture(renderer, scene, options));

@@ -10,9 +10,9 @@
 
 #include "app/still.hpp"
 #include "base/numbers.hpp"
+#include "effort.hpp"
 #include "measure/image_error.hpp"
 #include "native/egl_context.hpp"
-#include "sanitized.hpp"
 #include "scene/choices.hpp"
 #include "scene/parameters.hpp"
 #include "scene/presets.hpp"
@@ -109,6 +109,7 @@ TEST(Lights, ShowOnTheNightSideAndNotByDay) {
 }
 
 TEST(Pictures, AreTheSameFromDesktopAndEmbeddedOpenGl) {
+  if (test::sanitized) GTEST_SKIP() << "measures only";
   for (const char* name : {"temperate", "storm", "moon", "lava"}) {
     const Scene& scene = find_preset(name)->scene;
     Image core, es;
@@ -126,7 +127,9 @@ TEST(Pictures, AreTheSameFromDesktopAndEmbeddedOpenGl) {
 
 TEST(Pictures, OfEveryPresetShowAPlanetAndAreFinite) {
   Studio studio;
-  for (const Preset& preset : presets()) {
+  const auto step = static_cast<std::size_t>(test::by_effort(1, 1, 5));
+  for (std::size_t i = 0; i < presets().size(); i += step) {
+    const Preset& preset = presets()[i];
     const Image light = take_measurement(studio.renderer, preset.scene, small(), Channel::color);
     EXPECT_TRUE(all_finite(light.pixels)) << preset.name;
     EXPECT_GT(mean(light), 0.01) << preset.name;
@@ -157,9 +160,10 @@ double crawling(Renderer& renderer, Scene scene) {
 TEST(Pictures, HardlyCrawlWhileThePlanetTurns) {
   if (test::sanitized) GTEST_SKIP() << "measures only";
   Studio studio;
-  for (const Preset& preset : presets()) {
+  const auto step = static_cast<std::size_t>(test::by_effort(1, 3, 3));
+  for (std::size_t i = 0; i < presets().size(); i += step) {
     // Measured, in steps of 8 bits: dusk 1.1, temperate 2.8, lava 5.1, storm 5.6, alps 6.9; the others in between.
-    EXPECT_LT(255.0 * crawling(studio.renderer, preset.scene), 7.5) << preset.name;
+    EXPECT_LT(255.0 * crawling(studio.renderer, presets()[i].scene), 7.5) << presets()[i].name;
   }
 }
 
@@ -505,6 +509,7 @@ TEST(Memory, DoesNotGrow) {
 }
 
 TEST(Memory, OfTheDefaultSceneIsWithinItsBudget) {
+  if (test::sanitized) GTEST_SKIP() << "measures only";
   Studio studio;
   View view;  // 1280x720
   studio.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});

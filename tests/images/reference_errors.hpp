@@ -6,10 +6,10 @@
 
 #include "app/develop.hpp"
 #include "app/still.hpp"
+#include "effort.hpp"
 #include "measure/flip.hpp"
 #include "measure/image_error.hpp"
 #include "reference/picture.hpp"
-#include "sanitized.hpp"
 
 namespace terrella::test {
 

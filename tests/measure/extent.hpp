@@ -1,8 +1,8 @@
 // How much the tests drive to: under sanitizers, where all takes ten times as long, a part of it.
 #pragma once
 
+#include "effort.hpp"
 #include "measure/cases.hpp"
-#include "sanitized.hpp"
 
 namespace terrella::test {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <set>
 
+#include "effort.hpp"
 #include "measure/cameras.hpp"
 #include "measure/effects.hpp"
 #include "measure/image_error.hpp"
 #include "measure/studio.hpp"
 #include "measure/subject.hpp"
-#include "sanitized.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {

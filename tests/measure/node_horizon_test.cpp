@@ -9,10 +9,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "effort.hpp"
 #include "laws/random_places.hpp"
 #include "measure/ground_models.hpp"
 #include "measure/node_picture.hpp"
-#include "sanitized.hpp"
 
 namespace terrella {
 namespace {

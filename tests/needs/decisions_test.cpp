@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "effort.hpp"
 #include "measure/image_error.hpp"
 #include "planet/needs.hpp"
 #include "reference/picture.hpp"
-#include "sanitized.hpp"
 #include "scene/choices.hpp"
 #include "scene/presets.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <string>
 
+#include "effort.hpp"
 #include "laws/random_places.hpp"
 #include "reference/ground.hpp"
 #include "reference/sea.hpp"
-#include "sanitized.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/numbers.hpp"
-#include "sanitized.hpp"
+#include "effort.hpp"
 #include "scene/parameters.hpp"
 #include "scene/presets.hpp"
 
