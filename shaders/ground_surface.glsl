@@ -6,17 +6,17 @@ in vec3 surface_from_eye;
 
 vec3 surface_position() { return eye_position() + surface_from_eye; }
 
-// ground: at the place, its gradient as fine as the pixels; rise: as mean_normal takes it; grain: of its colour, about -1..1.
-void emit_ground(GroundAt ground, float rise, float grain) {
-  vec3 place = surface_position();
+// offset: of the place from the eye; ground: there, its gradient as fine as the pixels; rise: as mean_normal takes it; grain: of its colour, about -1..1.
+void emit_ground(vec3 offset, GroundAt ground, float rise, float grain) {
+  vec3 place = eye_position() + offset;
   float radius = length(place);
   vec3 up = place / radius;
-  vec3 normal = mean_normal(up, radius, ground, rise, -normalize(surface_from_eye));
+  vec3 normal = mean_normal(up, radius, ground, rise, -normalize(offset));
   vec3 albedo = grained(ground_albedo(up, ground, normal, scene_bands()), grain);
   // Just under water the light has come through some of it; further down the water hides the ground.
   albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * ground.height);
   SceneLight scene = scene_light();
   LightAt at = light_at(up, radius - 1.0, scene);
   vec3 light = ground_light(albedo, normal, at, shade_of_clouds(place), scene);
-  emit_surface(through_air(light, at, surface_from_eye, scene), surface_from_eye, normalize(normal), radius - 1.0);
+  emit_surface(through_air(light, at, offset, scene), offset, normalize(normal), radius - 1.0);
 }

@@ -1,20 +1,16 @@
-// What pixels know of a ground of nodes: its slopes from the vertices, and the layers that those can't hold from themselves.
+// What pixels know of a ground of nodes: what the vertices tell, and the layers that those can't hold from themselves.
 // node_map.glsl or node_no_map.glsl stands before it.
 #include "ground_map.glsl"
 #include "anchored_layers.glsl"
+#include "lib/finer_ground.glsl"
 #include "node_inputs.glsl"
 
-// As much of a layer as the vertices hold.
-float held_of_layer(float frequency) {
-  return mix(layer_weight(frequency, node_held.x), layer_weight(frequency, 2.0 * node_held.x), node_held.y);
-}
-
-// The sums of amplitudes that means are of: of all layers, and of the ridges of ranges.
-float all_layers() { return max(amplitude_sum(terrain_persistence, terrain_octaves), 1.0e-6); }
-float all_ridges() { return max(all_layers() - amplitude_sum(terrain_persistence, terrain_range_layer), 1.0e-6); }
+float held_of_layer(float frequency) { return held_weight(frequency, node_held.x, node_held.y); }
 
 // How much a layer lifts the ground for each unit of its value, and how much one does that is a ridge of ranges.
-vec2 rises_of(Relief r) { return vec2(r.by_mean / all_layers(), node_has_ranges ? r.by_shape / all_ridges() : 0.0); }
+vec2 rises_of(Relief r, Terrain t) {
+  return vec2(r.by_mean / all_layers_of(t), node_has_ranges ? r.by_shape / all_ridges_of(t) : 0.0);
+}
 
 // How steep ground is made of so many layers and ridges: each is as steep as any other, whatever the width of its cells, of
 // which heights of real ground are about in proportion.
@@ -23,81 +19,75 @@ float steepness(vec2 rises, vec2 held) { return sqrt(dot(held, rises * rises)); 
 // How strongly layers act, for unseen_slopes, which takes all of them for as steep as those that are no ridges of ranges.
 // Those ridges are the ones that a ridged ground has anyway, so that both rise together; else one knows nothing of the other.
 float layer_rise(GroundAt ground) {
-  bool is_ridged = terrain_ridged != 0;
-  vec2 rises = rises_of(node_relief(node_height.y, node_height.z));
-  float steeper = layer_slope_square(true, terrain_ridge_sharpness) / layer_slope_square(is_ridged, terrain_ridge_sharpness);
-  float together = is_ridged ? 2.0 * rises.x * rises.y : 0.0;
+  Terrain t = scene_terrain();
+  vec2 rises = rises_of(node_relief(node_height.y, node_height.z), t);
+  float steeper = layer_slope_square(true, t.sharpness) / layer_slope_square(t.ridged, t.sharpness);
+  float together = t.ridged ? 2.0 * rises.x * rises.y : 0.0;
   float square = rises.x * rises.x + together + steeper * rises.y * rises.y;
-  return (1.0 - node_height.w) * sqrt(square) * all_layers();
+  return (1.0 - node_height.w) * sqrt(square) * all_layers_of(t);
 }
 
-// What pixels add to a mean, and to its gradient.
-struct Added {
-  float value;
-  vec3 gradient;
-};
-
-// Craters that the vertices can't hold and a pixel can, added to the mean of all layers. They are told from the direction
-// itself: where pixels come near to what a float knows of it, the vertices hold them all.
-void add_finer_craters(inout Added mean, inout float relief, vec3 up, float footprint) {
-  if (terrain_craters <= 0.0 || terrain_height <= 0.0) return;
-  float dug = 0.0, frequency = terrain_crater_frequency;
-  vec3 slope = vec3(0.0);
-  for (int i = 0; i < terrain_crater_sizes; ++i) {
+// Craters that the vertices can't hold and a pixel can. They are told from the direction itself: where pixels come near to
+// what a float knows of it, the vertices hold them all.
+void add_craters_to(inout FinerGround finer, Terrain t, vec3 up, float footprint) {
+  if (t.craters.depth <= 0.0 || t.height <= 0.0) return;
+  float frequency = t.craters.frequency;
+  for (int i = 0; i < t.craters.sizes; ++i) {
     float weight = crater_weight(frequency, footprint);
     if (weight <= 0.0) break;  // and so is that of all smaller ones
-    float shown = terrain_craters * max(weight - held_of_layer(crater_detail * frequency), 0.0);
-    if (shown > 0.0) add_craters_of_size(up, i, frequency, uint(planet_seed), shown, dug, slope);
+    float shown = max(weight - held_of_layer(crater_detail * frequency), 0.0);
+    if (shown > 0.0) {
+      go_on_to(finer, frequency, node_held.x);
+      add_finer_craters(finer, t, up, i, frequency, shown);
+    }
     frequency *= crater_step;
   }
-  mean.value += dug / terrain_height;
-  mean.gradient += slope / terrain_height;
-  relief += all_layers() / terrain_height * dug * terrain_crater_frequency;
 }
 
-// Layers that the vertices can't hold and a pixel can, added to the mean of all, to that of ridges and to the relief.
-void add_finer_layers(inout Added mean, inout Added ridges, inout float relief, vec3 from_anchor, float footprint) {
-  float amplitude = node_layers.y, of_mean = 1.0 / all_layers(), of_ridges = 1.0 / all_ridges();
-  bool is_ridged = terrain_ridged != 0, has_ranges = node_has_ranges && terrain_ranges > 0.0;
+// Layers that the vertices can't hold and a pixel can.
+void add_layers_to(inout FinerGround finer, Terrain t, vec3 from_anchor, float footprint) {
+  float amplitude = node_layers.y;
   for (int i = int(node_layers.x); i < int(ground_map_scale.z); ++i) {
     float frequency = layer_place[i].w;
     float weight = layer_weight(frequency, footprint);
     if (weight <= 0.0) break;  // and so is that of all finer layers
     float shown = amplitude * max(weight - held_of_layer(frequency), 0.0);
-    amplitude *= terrain_persistence;
+    amplitude *= t.persistence;
     if (shown <= 0.0) continue;
-    Noise n = layer_noise(i, from_anchor);
-    float added = shown * (layer_value(n.value, is_ridged, terrain_ridge_sharpness) - layer_mean(is_ridged));
-    mean.value += of_mean * added;
-    mean.gradient += (of_mean * shown * frequency * layer_slope(n.value, is_ridged, terrain_ridge_sharpness)) * n.gradient;
-    if (i > 0) relief += frequency * added;
-    if (has_ranges && i >= terrain_range_layer) {
-      ridges.value += of_ridges * shown * (layer_value(n.value, true, terrain_ridge_sharpness) - layer_mean(true));
-      ridges.gradient += (of_ridges * shown * frequency * layer_slope(n.value, true, terrain_ridge_sharpness)) * n.gradient;
-    }
+    go_on_to(finer, frequency, node_held.x);
+    add_finer_layer(finer, t, i, frequency, shown, layer_noise(i, from_anchor + moved(finer)));
   }
 }
 
 // The ground at the pixel as fine as it can show it: vertices tell the means of what they hold of it, the pixel adds what
-// they can't. Ice is where the vertices have it. up: unit; footprint: rad.
-GroundAt node_ground(vec3 up, vec3 from_anchor, float footprint) {
-  Added mean = Added(0.0, vec3(0.0)), shape = mean;
-  float relief = 0.0;  // of a ground as high as the sum of all layers
-  add_finer_layers(mean, shape, relief, from_anchor, footprint);
-  add_finer_craters(mean, relief, up, footprint);
-  add_finer_map(shape.value, shape.gradient, up, footprint);
-  vec2 rises_held = rises_of(node_relief(node_height.y, node_height.z));
-  Relief all = node_relief(node_height.y + mean.value, max(node_height.z + shape.value, 0.0));
-  vec2 rises = rises_of(all);
+// they can't. Ice is where the vertices have it. place: where its ray meets the mesh, from the eye; moved along the ray to
+// where it meets the ground. ray: from the eye, unit; 0: the ground right below the place is asked for, which stays.
+GroundAt node_ground(inout vec3 place, vec3 ray) {
+  Terrain t = scene_terrain();
+  t.ranges.part = node_has_ranges ? t.ranges.part : 0.0;
+  vec3 up = normalize(eye_position() + place), slope = node_slope.xyz;
+  float footprint = pixel_footprint(up, place, 0.12), bare = 1.0 - node_height.w;
+  Relief held = node_relief(node_height.y, node_height.z), rising = held;
+  rising.by_mean *= bare;
+  rising.by_shape *= bare;
+  float over = over_between(node_held.z, slope, node_place.xyz);
+  float sag = sag_between(node_place.w, node_place.xyz);
+  FinerGround finer = held_ground(t, rising, ray_at_mesh(ray, up, slope, over - sag));
+  add_layers_to(finer, t, direction_from_anchor(place), footprint);
+  add_craters_to(finer, t, up, footprint);
+  add_finer_map(finer, up, footprint);
+  go_on(finer, 4.0 * footprint);
+  place += finer.ray.way * ray;
+  Relief all = node_relief(node_height.y + finer.mean.value, max(node_height.z + finer.shape.value, 0.0));
+  vec2 rises = rises_of(all, t);
   // What of the vertices' slope is which mean's is not told: both as far as layers of each are held.
-  vec2 held = vec2(node_layers.x + 1.0, max(node_layers.x - float(terrain_range_layer), 0.0));
-  float before = steepness(rises_held, held);
-  float steeper = before > 0.0 ? min(steepness(rises, held) / before, 4.0) : 1.0;
+  vec2 told = vec2(node_layers.x + 1.0, max(node_layers.x - float(t.ranges.first), 0.0));
+  float before = steepness(rises_of(held, t), told);
+  float steeper = before > 0.0 ? min(steepness(rises, told) / before, 4.0) : 1.0;
   GroundAt ground;
-  ground.openness = openness_of(steeper * node_slope.w + (1.0 - node_height.w) * (rises.x + rises.y) * relief);
-  ground.height = mix(all.value - node_sea_level, node_height.x, node_height.w);
-  vec3 finer = all.by_mean * mean.gradient + all.by_shape * shape.gradient;
-  vec3 gradient = steeper * node_slope.xyz + (1.0 - node_height.w) * finer;
+  ground.openness = openness_of(steeper * node_slope.w + bare * (rises.x + rises.y) * finer.relief);
+  ground.height = node_height.x - over + bare * (all.value - held.value) + dot(slope, moved(finer));
+  vec3 gradient = steeper * slope + bare * (all.by_mean * finer.mean.gradient + all.by_shape * finer.shape.gradient);
   ground.gradient = gradient - dot(gradient, up) * up;
   return ground;
 }

@@ -5,7 +5,8 @@
 GroundAt ground_here;
 
 float depth_below(vec3 up) {
-  ground_here = node_ground(up, direction_from_anchor(surface_from_eye), pixel_footprint(up, surface_from_eye, 0.12));
+  vec3 place = surface_from_eye;
+  ground_here = node_ground(place, vec3(0.0));
   return -ground_here.height;
 }
 

@@ -4,5 +4,5 @@
 void main() {
   vec3 up = normalize(surface_position());
   GroundAt ground = ground_at(textureLod(ground_map, up, levels.z), up);
-  emit_ground(ground, map_rise(ground), 0.0);
+  emit_ground(surface_from_eye, ground, map_rise(ground), 0.0);
 }

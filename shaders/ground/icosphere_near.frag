@@ -11,5 +11,5 @@ void main() {
   float facing = fineness.x * sqrt(max(dot(right, right), dot(above, above)));
   FineLayers fine = fine_layers(from_anchor, min(level, facing));
   GroundAt ground = ground_at(textureLod(ground_map, up, levels.z), up);
-  emit_ground(refined(ground, fine, up), map_rise(ground), fine.grain);
+  emit_ground(surface_from_eye, refined(ground, fine, up), map_rise(ground), fine.grain);
 }

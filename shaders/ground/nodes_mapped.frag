@@ -4,8 +4,7 @@
 #include "node_surface.glsl"
 
 void main() {
-  vec3 up = normalize(surface_position());
-  vec3 from_anchor = direction_from_anchor(surface_from_eye);
-  GroundAt ground = node_ground(up, from_anchor, pixel_footprint(up, surface_from_eye, 0.12));
-  emit_ground(ground, layer_rise(ground), 0.0);
+  vec3 place = surface_from_eye;
+  GroundAt ground = node_ground(place, normalize(place));
+  emit_ground(place, ground, layer_rise(ground), 0.0);
 }

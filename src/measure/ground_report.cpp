@@ -140,8 +140,9 @@ std::string limits_html(const GroundTable& table) {
 constexpr const char* columns = R"(<h2>What the columns say</h2>
 <p>Each view is drawn with the largest quality.pixel_error (column pixel_error) by which 99 of 100 places of the ground
 are off by no more than is asked. Errors are measured in double precision at random places of the triangles that the
-picture shows: from where it shows the place to where it shows the ground above or below (median, p99, most), in pixels;
-upright is the p99 of how long that way would be across the line of sight, as it never quite is from above. Nodes, of so
+picture shows: from where a pixel shows the ground for it to where the ground above or below is, or as far as ground that
+triangles lack rises before it (median, p99, most), in pixels; upright is the p99 of how far triangles themselves are off, as if
+across the line of sight, as it never quite is from above. Nodes, of so
 many cells along a side and split in four within so many of their edges,
 vertices and triangles are all that the GPU is given for the ground, skirts apart; seen are those of its triangles that
 turn to the eye, lie in the picture and have neither sea nor planet nor nearer mountains before them, coarse those that have passed wholly to the shape of the

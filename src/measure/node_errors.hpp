@@ -1,4 +1,4 @@
-// How far the triangles that a ground of nodes is drawn with miss the ground itself.
+// How far a picture of a ground of nodes misses the ground itself.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,15 @@ namespace terrella {
 
 // At a place of a triangle, pixels.
 struct NodeError {
-  double seen;     // from where the picture shows it to where it shows the ground above or below it
-  double upright;  // how long that way would be in the picture if it stood across the line of sight
-  double pixels;   // of the picture for which the place stands, in proportion
+  // How far the picture is off: from where it shows ground to where the ground is, above or below that, or as far as
+  // ground that the triangles lack rises before it.
+  double seen;
+  double upright;  // how far the triangle is off, as if that way stood across the line of sight
+  double pixels;   // of the picture for which the place stands
 };
 
-// At random places of drawn triangles, the same each time, that the picture shows.
+// At random places of drawn triangles, the same each time, that the picture shows; and where it shows the sky, though
+// ground rises before that.
 // places: tried in all, as many in each node, uniformly by its triangles. footprint: pixels; what is too fine for
 // samples so far apart is not counted as ground.
 std::vector<NodeError> node_errors(const NodePicture& picture, int places, double footprint);

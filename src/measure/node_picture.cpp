@@ -29,7 +29,7 @@ NodePicture::NodePicture(const Scene& scene, const View& view)
       ranges_(ranges_of(*grid_, needs_)),
       sight_(sight_of_nodes(scene, needs_, pose_, view)),
       cache_(node_slots),
-      places_(node_slots) {
+      vertices_(node_slots) {
   for (const Skirt skirt : {Skirt::without, Skirt::with}) {
     for (unsigned list = 0; list < patch_.lists(); ++list) {
       triangles_.at(static_cast<std::size_t>(skirt)).at(list) = node_triangles(patch_, list, skirt == Skirt::with);
@@ -58,7 +58,7 @@ bool NodePicture::make_missing() {
 bool NodePicture::make(const GridNode& node) {
   if (!cache_.has_room()) return false;
   const NodeFrame made = make_node(*grid_, patch_, node, terrain_, scratch_);
-  places_[static_cast<std::size_t>(*cache_.insert(node, made))] = {scratch_.place, scratch_.coarser};
+  vertices_[static_cast<std::size_t>(*cache_.insert(node, made))] = scratch_;
   ++made_;
   return true;
 }
@@ -84,7 +84,7 @@ std::vector<double> NodePicture::coarse_parts_of(const DrawnNode& drawn) const {
   const NodeCache::Entry& entry = cache_.at(drawn.slot);
   const glm::dvec3 centre = centre_of(entry.frame);
   std::vector<double> parts;
-  for (const glm::vec4& place : places_[static_cast<std::size_t>(drawn.slot)].own) {
+  for (const glm::vec4& place : vertices_[static_cast<std::size_t>(drawn.slot)].place) {
     const bool meets_coarser = (patch_.vertices[parts.size()].touches & drawn.coarser) != 0;
     const double chord = glm::distance(glm::normalize(centre + glm::dvec3(place)), eye_.direction);
     const double away = std::hypot(eye_.lift, chord) / grid_->edge(entry.node.level);
@@ -95,13 +95,38 @@ std::vector<double> NodePicture::coarse_parts_of(const DrawnNode& drawn) const {
 }
 
 std::vector<glm::dvec3> NodePicture::vertices_of(const DrawnNode& drawn) const {
-  const Places& places = places_[static_cast<std::size_t>(drawn.slot)];
-  const glm::dvec3 centre = centre_of(cache_.at(drawn.slot).frame);
-  std::vector<glm::dvec3> vertices;
+  std::vector<glm::dvec3> places;
+  for (const ToldGround& told : told_by(drawn)) places.push_back(told.place);
+  return places;
+}
+
+// As in shaders/node_vertex.glsl.
+std::vector<ToldGround> NodePicture::told_by(const DrawnNode& drawn) const {
+  const NodeCache::Entry& entry = cache_.at(drawn.slot);
+  const NodeVertices& vertices = vertices_[static_cast<std::size_t>(drawn.slot)];
+  const glm::dvec3 centre = centre_of(entry.frame);
+  const double footprint = held_spacings * grid_->spacing(entry.node.level, patch_.cells);
+  const auto ice_in = [](double shape) { return 0.5 * std::floor(2.0 * shape / ice_flag + 0.01); };
+  std::vector<ToldGround> all;
   const std::vector<double> parts = coarse_parts_of(drawn);
-  for (std::size_t n = 0; n < parts.size(); ++n)
-    vertices.push_back(centre + glm::dvec3(places.own[n]) + parts[n] * glm::dvec3(places.coarser[n]));
-  return vertices;
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const double part = parts[n];
+    const glm::dvec4 place = glm::dvec4(vertices.place[n]) + part * glm::dvec4(vertices.coarser[n]);
+    const glm::dvec4 slope = glm::dvec4(vertices.slope[n]) + part * glm::dvec4(vertices.coarser_slope[n]);
+    const glm::dvec4 means = vertices.means[n];
+    ToldGround told;
+    told.from_centre = place;
+    told.square = glm::dot(told.from_centre, told.from_centre);
+    told.place = centre + told.from_centre;
+    told.slope = slope;
+    told.over = f64::over_at_vertex(place.w, told.slope, told.from_centre);
+    told.iced = glm::mix(ice_in(means.y), ice_in(means.y + means.w), part);
+    told.means = {means.x + part * means.z, means.y + part * means.w - ice_flag * told.iced};
+    told.footprint = footprint;
+    told.above = part;
+    all.push_back(told);
+  }
+  return all;
 }
 
 const std::vector<std::uint16_t>& NodePicture::triangles_of(const DrawnNode& drawn, Skirt skirt) const {

@@ -8,7 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "measure/pixel_ground.hpp"
 #include "planet/node_layers.hpp"
+#include "planet/node_mesh.hpp"
 
 namespace terrella {
 
@@ -38,6 +40,8 @@ class NodePicture {
   [[nodiscard]] std::vector<double> coarse_parts_of(const DrawnNode& drawn) const;
   // Where the vertices of a node lie, those of its skirt left out.
   [[nodiscard]] std::vector<glm::dvec3> vertices_of(const DrawnNode& drawn) const;
+  // The same vertices, and what else they tell.
+  [[nodiscard]] std::vector<ToldGround> told_by(const DrawnNode& drawn) const;
   // Three vertices a triangle.
   enum class Skirt { without, with };
   [[nodiscard]] const std::vector<std::uint16_t>& triangles_of(const DrawnNode& drawn, Skirt skirt) const;
@@ -52,11 +56,6 @@ class NodePicture {
   bool make(const GridNode& node);
   bool make_missing();
 
-  // A node's vertices as its level has them and as the level above has; as of NodeVertices.
-  struct Places {
-    std::vector<glm::vec4> own, coarser;
-  };
-
   Scene scene_;
   View view_;
   Pose pose_;
@@ -70,7 +69,7 @@ class NodePicture {
   NodeCache cache_;
   NodeChoice choice_;
   NodeVertices scratch_;
-  std::vector<Places> places_;  // by slot
+  std::vector<NodeVertices> vertices_;  // by slot
   std::array<std::array<std::vector<std::uint16_t>, most_node_lists>, 2>
       triangles_;  // by skirt, as node_triangles has lists
   int made_ = 0;

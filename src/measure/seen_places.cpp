@@ -22,6 +22,15 @@ glm::dvec2 SeenPlaces::pixel_of(const glm::dvec3& place) const {
          glm::dvec2(glm::dot(from_eye, pose_.right), glm::dot(from_eye, pose_.up));
 }
 
+glm::dvec3 SeenPlaces::ray_to(const glm::dvec2& pixel) const {
+  return glm::normalize(pixels_a_tan_ * pose_.forward + pixel.x * pose_.right + pixel.y * pose_.up);
+}
+
+bool SeenPlaces::is_solid_along(const glm::dvec3& ray) const {
+  const double nearest = -glm::dot(pose_.eye, ray);
+  return nearest > 0.0 && glm::length(pose_.eye + nearest * ray) < solid_;
+}
+
 bool SeenPlaces::is_hidden(const glm::dvec3& place) const {
   if (glm::length(place) < solid_) return true;
   const glm::dvec3 from_eye = place - pose_.eye;

@@ -14,6 +14,12 @@ class SeenPlaces {
   // Where a place before the eye appears, pixels right and up from the picture's middle.
   [[nodiscard]] glm::dvec2 pixel_of(const glm::dvec3& place) const;
 
+  // From the eye to what pixel_of tells, unit.
+  [[nodiscard]] glm::dvec3 ray_to(const glm::dvec2& pixel) const;
+
+  // Whether sea or planet lies on a ray from the eye, unit.
+  [[nodiscard]] bool is_solid_along(const glm::dvec3& ray) const;
+
   // Whether it is in the picture, and neither sea nor planet lies before it.
   [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
 

@@ -111,7 +111,7 @@ bool NodeMeshes::make(const Scene& scene, const GridNode& node) {
 
 void NodeMeshes::pack(const Frame& frame) {
   const auto& terrain = frame.scene.terrain;
-  sea_level_ = water_level(frame.scene) / frame.scene.planet.radius;
+  const double sea_level = water_level(frame.scene) / frame.scene.planet.radius;
   instances_.clear();
   const int beyond_map = first_layer(frame.scene);
   const auto add = [&](const DrawnNode& drawn) {
@@ -127,7 +127,7 @@ void NodeMeshes::pack(const Frame& frame) {
     instances_.push_back(vector((1.0 + base) * middle - frame.pose.eye, drawn.slot));
     instances_.push_back(vector(middle, base));
     instances_.push_back(vector(middle - eye_.direction, grid_->edge(entry.node.level)));
-    instances_.push_back(vector((1.0 + sea_level_) * middle - frame.pose.eye, base - sea_level_));
+    instances_.push_back(vector((1.0 + sea_level) * middle - frame.pose.eye, base - sea_level));
     instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), footprint);
   };
   const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
@@ -152,7 +152,6 @@ void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer 
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
   if (heights_) heights_->bind(gl::unit_heights);
   program.set("node_cells", patch_.cells);
-  program.set("node_sea_level", static_cast<float>(sea_level_));
   program.set("node_morph", static_cast<float>(ranges_.morph_begin()), static_cast<float>(ranges_.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
   for (std::size_t list = 0; list < patch_.lists(); ++list) {

@@ -78,7 +78,6 @@ class NodeMeshes {
   std::unique_ptr<gl::Instances> meshes_;
   std::array<std::array<Run, most_node_lists>, 2> runs_;  // of the layers
   std::vector<glm::vec4> instances_;
-  double sea_level_ = 0.0;  // over the sphere, as the frame has it
   bool is_full_ = false;
   std::int64_t noise_evaluations_ = 0;
 };

@@ -15,6 +15,7 @@ namespace {
 struct Vertex {
   glm::dvec3 place;  // from the middle of the node on the unit sphere
   double height;
+  double over;  // the ground that pixels go on with
   glm::dvec4 slope;
   glm::dvec2 means;
 };
@@ -26,12 +27,21 @@ Vertex vertex_of(const glm::dvec3& direction, const glm::dvec3& middle, const f6
   const glm::dvec3 along = look.gradient - glm::dot(look.gradient, direction) * direction;
   return {direction - middle + shown.value * direction,
           shown.value,
+          shown.iced || held.iced ? 0.0 : shown.value - held.value,
           glm::dvec4(along, look.relief),
           {held.mean, held.shape + (shown.iced ? ice_flag : 0.0)}};
 }
 
+// On the straight edge between both. Pixels find on it the ground and the sphere that bend above it
+// (lib/finer_ground.glsl), and are to find the same on both halves.
 Vertex between(const Vertex& a, const Vertex& b) {
-  return {0.5 * (a.place + b.place), 0.5 * (a.height + b.height), 0.5 * (a.slope + b.slope), 0.5 * (a.means + b.means)};
+  Vertex v = {0.5 * (a.place + b.place), 0.5 * (a.height + b.height), 0.5 * (a.over + b.over),
+              0.5 * (a.slope + b.slope), 0.5 * (a.means + b.means)};
+  const auto twice_over = [](const Vertex& of) {
+    return 2.0 * of.over + glm::dot(glm::dvec3(of.slope) - of.place, of.place);
+  };
+  v.over = 0.5 * (0.5 * (twice_over(a) + twice_over(b)) - glm::dot(glm::dvec3(v.slope) - v.place, v.place));
+  return v;
 }
 
 // The vertices of a node at its own level and as the level above has them.
@@ -91,8 +101,8 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
     list->clear();
   for (std::size_t n = 0; n < levels.own.size(); ++n) {
     const Vertex &own = levels.own[n], &above = levels.above[n];
-    vertices.place.emplace_back(glm::dvec4(own.place - lift, own.height - frame.base));
-    vertices.coarser.emplace_back(glm::dvec4(above.place - own.place, above.height - own.height));
+    vertices.place.emplace_back(glm::dvec4(own.place - lift, own.over));
+    vertices.coarser.emplace_back(glm::dvec4(above.place - own.place, above.over - own.over));
     vertices.slope.emplace_back(own.slope);
     vertices.coarser_slope.emplace_back(above.slope - own.slope);
     vertices.means.emplace_back(glm::dvec4(own.means, above.means - own.means));

@@ -16,7 +16,8 @@ namespace terrella {
 // Vertices of a patch as their level of detail has them, and by how much that changes where the level gives way to the
 // coarser one.
 struct NodeVertices {
-  std::vector<glm::vec4> place;    // xyz: from the node's centre; w: height over its base
+  // xyz: from the node's centre; w: height over the ground that pixels go on with, which on ice is the ice
+  std::vector<glm::vec4> place;
   std::vector<glm::vec4> coarser;  // what is to be added to them
   // Of what pixels go on with, which is the ground that vertices held_spacings times as far apart would show. xyz:
   // gradient of the height, along the sphere, none on ice; w: relief of Height

@@ -57,7 +57,7 @@ TEST(NodeErrors, CountByThePixelsTheyStandFor) {
 }
 
 TEST(NodeErrors, GrowAsNodesAreCoarser) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   double first = 0.0, before = 0.0;
   for (const double pixel_error : {0.25, 0.5, 1.0, 2.0, 4.0}) {
     Scene scene = dry("blue", 1e5);
@@ -68,6 +68,21 @@ TEST(NodeErrors, GrowAsNodesAreCoarser) {
     before = off;
   }
   EXPECT_GT(before, 2.0 * first);
+}
+
+// Rays of pixels go on from triangles to the ground. Measured: medians of 0.11, 0.09, 0.09, 0.07 and 0.07 pixels beside
+// 0.61, 0.63, 0.73, 0.50 and 0.48 of triangles; 95 of 100 are within 0.9 to 1.35 beside 1.8 to 2.3.
+TEST(NodeErrors, AreLessOfThePictureThanOfItsTriangles) {
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
+  for (const double altitude : {10.0, 100.0, 1e3, 1e4, 1e5}) {
+    Scene scene = seen_from({find_preset("blue")->scene, "blue"}, altitude);
+    scene.quality.pixel_error = 2.0;
+    const std::vector<NodeError> errors = node_errors(NodePicture(scene, view_of(1920, 1080)), 4000, 0.5);
+    EXPECT_LT(percentile(errors, &NodeError::seen, 0.5), 0.25 * percentile(errors, &NodeError::upright, 0.5))
+        << altitude;
+    EXPECT_LT(percentile(errors, &NodeError::seen, 0.95), 0.7 * percentile(errors, &NodeError::upright, 0.95))
+        << altitude;
+  }
 }
 
 struct Case {
@@ -81,7 +96,7 @@ struct Case {
 const Case cases[] = {{"blue", 1.05}, {"highlands", 3.7}, {"giant", 0.6}};
 
 TEST(NodeErrors, AreAboutThoseOfQualityPixelError) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   for (const auto& [preset, allowed] : cases) {
     for (const double clearance : {10.0, 1e5, 1e7}) {
       Scene scene = find_preset(preset)->scene;

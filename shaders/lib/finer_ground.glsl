@@ -1,0 +1,130 @@
+// Ground that the vertices of a mesh tell only as finely as they stand, as finely as a pixel can show it: layers that they
+// lack are added one by one, and from one to the next the pixel's ray goes on to where it meets the ground that is known by
+// then. So the picture is off by what triangles miss of the ground only where they end, before what lies behind them.
+#include "lib/heights.glsl"
+
+// What is added to one of the means of Height, and to its gradient over the unit sphere.
+struct Added {
+  float value;
+  vec3 gradient;
+};
+
+// A ray from where it meets the mesh on.
+struct GroundRay {
+  vec3 along;     // what it moves over the unit sphere for each radius of its length
+  float climb;    // what it rises for each
+  float way;      // how far it has gone on, radii; negative: back to the eye
+  float over;     // how high it is there over the ground, radii
+  float closing;  // how much less that becomes for each radius
+};
+
+// The ground at the end of the ray.
+struct FinerGround {
+  Added mean, shape;  // of Height: to be added to what the vertices tell
+  Relief held;        // of what they tell
+  float all_layers, all_ridges;  // sums of amplitudes that both means are of
+  float relief;       // as openness_of takes it, of a ground as high as all_layers
+  GroundRay ray;
+};
+
+// How high a mesh lies over the ground that its vertices tell, but for the sphere's own bend. Between them that ground
+// bends: if it does so evenly, by half of what slopes differ that are interpolated likewise. over: at a vertex; slope: of
+// the ground there over the unit sphere, along it; place: from anywhere that is the same for all, radii.
+float over_at_vertex(float over, vec3 slope, vec3 place) { return over + 0.5 * dot(slope, place); }
+
+// over: over_at_vertex, interpolated as the slope and the place.
+float over_between(float over, vec3 slope, vec3 place) { return over - 0.5 * dot(slope, place); }
+
+// How much lower the mesh lies there than its vertices, as the sphere bends under it. square: of places, interpolated.
+float sag_between(float square, vec3 place) { return 0.5 * max(square - dot(place, place), 0.0); }
+
+// How much of a layer the vertices hold. frequency: cells per radian; footprint: of samples that they tell the ground for,
+// rad; above: part to which they tell it for samples twice as far apart.
+float held_weight(float frequency, float footprint, float above) {
+  return mix(layer_weight(frequency, footprint), layer_weight(frequency, 2.0 * footprint), above);
+}
+
+// ray: from the eye, unit; 0: none, the ground right below is asked for. up: unit, of the place; slope: of what the
+// vertices tell; over: height of the place over that, radii.
+GroundRay ray_at_mesh(vec3 ray, vec3 up, vec3 slope, float over) {
+  GroundRay r;
+  r.climb = dot(ray, up);
+  r.along = ray - r.climb * up;
+  r.way = 0.0;
+  r.over = over;
+  r.closing = dot(slope, r.along) - r.climb;
+  return r;
+}
+
+// The sums of amplitudes that means are of: of all layers, and of the ridges of ranges.
+float all_layers_of(Terrain t) { return max(amplitude_sum(t.persistence, t.octaves), 1.0e-6); }
+float all_ridges_of(Terrain t) { return max(all_layers_of(t) - amplitude_sum(t.persistence, t.ranges.first), 1.0e-6); }
+
+// held: of what the vertices tell; ray: at the mesh.
+FinerGround held_ground(Terrain t, Relief held, GroundRay ray) {
+  FinerGround g;
+  g.mean.value = 0.0;
+  g.mean.gradient = vec3(0.0);
+  g.shape = g.mean;
+  g.held = held;
+  g.all_layers = all_layers_of(t);
+  g.all_ridges = all_ridges_of(t);
+  g.relief = 0.0;
+  g.ray = ray;
+  return g;
+}
+
+// Where the ray is: what is to be added to the direction at which it meets the mesh.
+vec3 moved(FinerGround g) { return g.ray.way * g.ray.along; }
+
+// Moves the ray to where it meets the ground, if that goes on as steeply: that can be told for a part of the finest hills,
+// and for less of them the more it grazes them. So it may stop early. width: of those hills, radii.
+void go_on(inout FinerGround g, float width) {
+  float closing = max(g.ray.closing, 0.1), reach = 0.5 * closing * width;
+  float way = clamp(g.ray.over / closing, -reach, reach);
+  g.ray.way += way;
+  g.ray.over -= way * g.ray.closing;
+  g.mean.value += way * dot(g.mean.gradient, g.ray.along);
+  g.shape.value += way * dot(g.shape.gradient, g.ray.along);
+}
+
+// The same before hills of a frequency (cells per radian) are added. What the mesh itself shows of those that its vertices
+// don't tell is there already: of samples half the footprint apart.
+void go_on_to(inout FinerGround g, float frequency, float footprint) {
+  if (frequency * footprint > 1.0) go_on(g, 1.0 / frequency);
+}
+
+void add_to_mean(inout FinerGround g, float value, vec3 gradient) {
+  g.mean.value += value;
+  g.mean.gradient += gradient;
+  g.ray.over -= g.held.by_mean * value;
+  g.ray.closing += g.held.by_mean * dot(gradient, g.ray.along);
+}
+
+void add_to_shape(inout FinerGround g, float value, vec3 gradient) {
+  g.shape.value += value;
+  g.shape.gradient += gradient;
+  g.ray.over -= g.held.by_shape * value;
+  g.ray.closing += g.held.by_shape * dot(gradient, g.ray.along);
+}
+
+// Layer i of the ground's noise. amplitude: of what of it is added; n: at the place to which the ray has moved.
+void add_finer_layer(inout FinerGround g, Terrain t, int i, float frequency, float amplitude, Noise n) {
+  float added = amplitude * (layer_value(n.value, t.ridged, t.sharpness) - layer_mean(t.ridged));
+  float slope = amplitude * frequency * layer_slope(n.value, t.ridged, t.sharpness);
+  add_to_mean(g, added / g.all_layers, (slope / g.all_layers) * n.gradient);
+  if (i > 0) g.relief += frequency * added;
+  if (t.ranges.part <= 0.0 || i < t.ranges.first) return;
+  float ridge = amplitude * (layer_value(n.value, true, t.sharpness) - layer_mean(true));
+  float ridge_slope = amplitude * frequency * layer_slope(n.value, true, t.sharpness);
+  add_to_shape(g, ridge / g.all_ridges, (ridge_slope / g.all_ridges) * n.gradient);
+}
+
+// Craters of size i. direction: where the ray meets the mesh, unit; shown: part of their depth that is added.
+void add_finer_craters(inout FinerGround g, Terrain t, vec3 direction, int i, float frequency, float shown) {
+  float dug = 0.0;
+  vec3 slope = vec3(0.0);
+  add_craters_of_size(normalize(direction + moved(g)), i, frequency, t.craters.seed, t.craters.depth * shown, dug, slope);
+  add_to_mean(g, dug / t.height, slope / t.height);
+  g.relief += g.all_layers / t.height * dug * t.craters.frequency;
+}
