@@ -13,10 +13,14 @@ inline constexpr bool sanitized = true;
 inline constexpr bool sanitized = false;
 #endif
 
+inline constexpr const char* too_long_sanitized = "takes long under sanitizers, and other tests run the same code";
+
 // One of three numbers: of all that can be done, of what is done as a rule, and of what is done under sanitizers.
 inline int by_effort(int all, int usual, int under_sanitizers) {
   if (sanitized) return under_sanitizers;
   return std::getenv("TERRELLA_WHOLE") != nullptr ? all : usual;
 }
+
+inline int by_effort(int all, int usual) { return by_effort(all, usual, usual); }
 
 }  // namespace terrella::test

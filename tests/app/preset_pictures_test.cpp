@@ -44,7 +44,7 @@ Image halved(const Image& large) {
 }
 
 TEST(PresetPictures, AreWhatThePresetsShow) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const std::unique_ptr<EglContext> context = std::move(*EglContext::make(Api::core));
   PresetPictures pictures;
   for (int i = 0; i < 5000 && !pictures.complete(); ++i) pictures.advance();
@@ -54,7 +54,7 @@ TEST(PresetPictures, AreWhatThePresetsShow) {
   StillOptions options;
   options.width = 2 * width;
   options.height = 2 * height;
-  const auto step = static_cast<std::size_t>(test::by_effort(1, 3, 3));
+  const auto step = static_cast<std::size_t>(test::by_effort(1, 3));
   for (std::size_t i = 0; i < presets().size(); i += step) {
     Scene scene = presets()[i].scene;
     scene.quality.antialias = false;

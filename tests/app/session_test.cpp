@@ -607,7 +607,7 @@ TEST_F(SessionTest, TellsWhatLiesBeyondTheRangeOfItsTechniqueUntilItNoLongerDoes
 }
 
 TEST_F(SessionTest, GivesUpQualityForItsTargetAndTakesItBackAtRest) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   session.set("camera.altitude", "1.5");
   session.set("quality.target_ms", "16");
   session.set_paused(false);

@@ -102,7 +102,7 @@ const Place places[] = {
 class Grounds : public testing::TestWithParam<Place> {};
 
 TEST_P(Grounds, ShowTheSamePicture) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   const Place& place = GetParam();
@@ -141,7 +141,7 @@ struct OverCraters {
 // Craters pass from pixels to vertices as one comes nearer. In so few pixels vertices stand as near to each other as
 // pixels do, so that the reference tells those small craters apart that pixels leave out.
 TEST(GroundsWithCraters, ShowThemFromOrbitToTheRimOfOne) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   // Measured: 43.0 to 43.8, 40.6 to 42.1, 39.7 to 40.8.

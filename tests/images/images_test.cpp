@@ -109,7 +109,7 @@ TEST(Lights, ShowOnTheNightSideAndNotByDay) {
 }
 
 TEST(Pictures, AreTheSameFromDesktopAndEmbeddedOpenGl) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   for (const char* name : {"temperate", "storm", "moon", "lava"}) {
     const Scene& scene = find_preset(name)->scene;
     Image core, es;
@@ -158,9 +158,9 @@ double crawling(Renderer& renderer, Scene scene) {
 }
 
 TEST(Pictures, HardlyCrawlWhileThePlanetTurns) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   Studio studio;
-  const auto step = static_cast<std::size_t>(test::by_effort(1, 3, 3));
+  const auto step = static_cast<std::size_t>(test::by_effort(1, 3));
   for (std::size_t i = 0; i < presets().size(); i += step) {
     // Measured, in steps of 8 bits: dusk 1.1, temperate 2.8, lava 5.1, storm 5.6, alps 6.9; the others in between.
     EXPECT_LT(255.0 * crawling(studio.renderer, presets()[i].scene), 7.5) << presets()[i].name;
@@ -509,7 +509,7 @@ TEST(Memory, DoesNotGrow) {
 }
 
 TEST(Memory, OfTheDefaultSceneIsWithinItsBudget) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   Studio studio;
   View view;  // 1280x720
   studio.renderer.draw(find_preset("temperate")->scene, view, {Channel::color, Effort::live, false});

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Places, MapOfMiniature, testing::ValuesIn(miniatures),
 class MapOfRealSize : public testing::TestWithParam<Place> {};
 
 TEST_P(MapOfRealSize, IsNearTheReferenceOnEveryGround) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const Place& place = GetParam();
   for (const Ground ground : ground_models()) {
     expect_near_the_reference(with_ground(mapped(6.36e6, place), ground), place, name_of(ground).data());

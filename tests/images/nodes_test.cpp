@@ -174,7 +174,7 @@ TEST_P(NodesInPictures, ShowTheSeaFromCloseAboveIt) {
 // A walker's eye: nothing trembles. Distances along the same rays change in proportion to the steps, but for the rays
 // that come to another triangle.
 TEST_P(NodesInPictures, ShowEveryMillimetreOfAWalk) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
@@ -213,7 +213,7 @@ TEST_P(NodesInPictures, ShowEveryMillimetreOfAWalk) {
 }
 
 TEST_P(NodesInPictures, AreTheSameOnEachKindOfOpenGl) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   Scene scene = with_ground(find_preset("blue")->scene, GetParam());
   scene.camera.altitude = 3e5;
   scene.camera.pitch = -30.0;
@@ -251,7 +251,7 @@ TEST_P(NodesInPictures, ComeToTheSameHoweverTheyWereMade) {
 
 // Bands of height begin at the lowest ground where there is no water.
 TEST_P(NodesInPictures, KnowNoLevelOfWaterWhereThereIsNone) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Scene scene = bare_highlands(GetParam());
@@ -267,7 +267,7 @@ TEST_P(NodesInPictures, KnowNoLevelOfWaterWhereThereIsNone) {
 
 // While a colour is dragged, nothing is made of what only heights depend on.
 TEST_P(NodesInPictures, AreKeptWhileColoursChange) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Scene scene = bare_highlands(GetParam());
@@ -319,7 +319,7 @@ std::vector<double> changes(const Image& a, const Image& b) {
 // one of 720 rows, so that levels are those of such a one, and holds nothing but ground. From so far above that
 // vertices take over the broadest ridges of ranges more is left: pixels add those as if vertices held the mean of all.
 TEST_P(NodesInPictures, DoNotPopInADescent) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   // Measured: of triangles 1.9, of the quadtree 1.4, of the grid at the eye 0.4, of dunes 0.3. What changes most are
@@ -331,7 +331,7 @@ TEST_P(NodesInPictures, DoNotPopInADescent) {
     Renderer renderer;
     Scene scene = mountains_by_day(preset, GetParam());
     // Each of a grid held at the eye takes five times as long as the others.
-    const int stride = (GetParam() == Ground::persistent_grid ? 4 : 1) * test::by_effort(11, 22, 22);
+    const int stride = (GetParam() == Ground::persistent_grid ? 4 : 1) * test::by_effort(11, 22);
     for (double altitude = 1e7; altitude > 2.0; altitude *= std::pow(0.99, stride)) {
       const double clearance = altitude / scene.planet.radius;
       scene.camera.pitch = pitch_below_horizon(clearance);
@@ -379,7 +379,7 @@ std::pair<Scene, Scene> where_it_leaves(const Scene& start, double clearance) {
 // in one of a hundred pixels, 7 to 59 in one of a thousand. But where one gives way to the next, each picture changes
 // by a small part of that.
 TEST(PersistentGridInPictures, GivesWayToTheNextUnseen) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   const View view = part_of_a_picture();

@@ -161,7 +161,7 @@ const Case cases[] = {
 class AgainstReference : public testing::TestWithParam<Case> {};
 
 TEST_P(AgainstReference, IsWithinItsFloor) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, AgainstReference, testing::ValuesIn(cases),
 class Refined : public testing::TestWithParam<Case> {};
 
 TEST_P(Refined, ComesCloserToTheReference) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   struct Setting {
@@ -250,7 +250,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, Refined, testing::ValuesIn(refined),
 
 // Between two pictures of the clouds, which are blended, they are nearly as good as at the time of one of them.
 TEST(CloudsBlendedInTime, AreThoseOfTheReference) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;

@@ -80,7 +80,7 @@ TEST(GroundViews, AreAsHighAboveGroundAsTheySay) {
 }
 
 TEST(GroundTable, KeepsItsTargetsWithTheCheapestThatDo) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const GroundTable table = measure_grounds({blue()}, small_plan(), [](const char*, double) {});
   ASSERT_EQ(table.rows.size(), 2 * ground_models().size());
   const GroundRow &fine = table.rows[0], &coarse = table.rows[1];
@@ -98,7 +98,7 @@ TEST(GroundTable, KeepsItsTargetsWithTheCheapestThatDo) {
 }
 
 TEST(GroundTable, ChoosesWithoutAllocations) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   View view;
   view.width = small_plan().width;
   view.height = small_plan().height;

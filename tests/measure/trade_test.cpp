@@ -171,7 +171,7 @@ TEST_F(Trade, ItsPathIsOneThatTheProgramCanWalk) {
 }
 
 TEST(TradeOfThePath, MeasuresTheProgramsStepsAndNothingElse) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const test::Studio studio;
   TradePlan plan = small_plan();
   plan.path_only = true;

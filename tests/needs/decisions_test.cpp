@@ -20,7 +20,7 @@ constexpr int width = 128, height = 72;
 
 class Decision : public testing::Test {
   void SetUp() override {
-    if (test::sanitized) GTEST_SKIP() << "measures only";
+    if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   }
 };
 

@@ -132,7 +132,7 @@ TEST(Reference, NormalsAreUnitAndFaceTheEyeOnASphere) {
 
 // The mean over a pixel is what more samples come closer to.
 TEST(Reference, ConvergesWithItsSamples) {
-  if (test::sanitized) GTEST_SKIP() << "measures only";
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   Scene scene;
   scene.terrain.octaves = 5;
   reference::Options options = small();
