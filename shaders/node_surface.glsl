@@ -7,6 +7,9 @@
 
 float held_of_layer(float frequency) { return held_weight(frequency, node_held.x, node_held.y); }
 
+// Of vertices, rad. They tell the ground for held_spacings (src/planet/node_mesh.hpp) of it.
+float node_spacing() { return 0.5 * (1.0 + node_held.y) * node_held.x; }
+
 // How much a layer lifts the ground for each unit of its value, and how much one does that is a ridge of ranges.
 vec2 rises_of(Relief r, Terrain t) {
   return vec2(r.by_mean / all_layers_of(t), node_has_ranges ? r.by_shape / all_ridges_of(t) : 0.0);
@@ -37,7 +40,7 @@ void add_craters_to(inout FinerGround finer, Terrain t, vec3 up, float footprint
     if (weight <= 0.0) break;  // and so is that of all smaller ones
     float shown = max(weight - held_of_layer(crater_detail * frequency), 0.0);
     if (shown > 0.0) {
-      go_on_to(finer, frequency, node_held.x);
+      go_on_to(finer, frequency, node_spacing());
       add_finer_craters(finer, t, up, i, frequency, shown);
     }
     frequency *= crater_step;
@@ -54,7 +57,7 @@ void add_layers_to(inout FinerGround finer, Terrain t, vec3 from_anchor, float f
     float shown = amplitude * max(weight - held_of_layer(frequency), 0.0);
     amplitude *= t.persistence;
     if (shown <= 0.0) continue;
-    go_on_to(finer, frequency, node_held.x);
+    go_on_to(finer, frequency, node_spacing());
     add_finer_layer(finer, t, i, frequency, shown, layer_noise(i, from_anchor + moved(finer)));
   }
 }
@@ -72,7 +75,7 @@ GroundAt node_ground(inout vec3 place, vec3 ray) {
   rising.by_shape *= bare;
   float over = over_between(node_held.z, slope, node_place.xyz);
   float sag = sag_between(node_place.w, node_place.xyz);
-  FinerGround finer = held_ground(t, rising, ray_at_mesh(ray, up, slope, over - sag));
+  FinerGround finer = held_ground(t, rising, ray_at_mesh(ray, up, slope, over - sag), node_spacing(), footprint);
   add_layers_to(finer, t, direction_from_anchor(place), footprint);
   add_craters_to(finer, t, up, footprint);
   add_finer_map(finer, up, footprint);

@@ -21,7 +21,7 @@ struct GroundRay {
 // The ground at the end of the ray.
 struct FinerGround {
   Added mean, shape;  // of Height: to be added to what the vertices tell
-  Relief held;        // of what they tell
+  float rise_of_mean, rise_of_shape;  // how much each raises the ground on which the ray ends
   float all_layers, all_ridges;  // sums of amplitudes that both means are of
   float relief;       // as openness_of takes it, of a ground as high as all_layers
   GroundRay ray;
@@ -60,17 +60,21 @@ GroundRay ray_at_mesh(vec3 ray, vec3 up, vec3 slope, float over) {
 float all_layers_of(Terrain t) { return max(amplitude_sum(t.persistence, t.octaves), 1.0e-6); }
 float all_ridges_of(Terrain t) { return max(all_layers_of(t) - amplitude_sum(t.persistence, t.ranges.first), 1.0e-6); }
 
-// held: of what the vertices tell; ray: at the mesh.
-FinerGround held_ground(Terrain t, Relief held, GroundRay ray) {
+// held: of what the vertices tell; ray: at the mesh; spacing: of the vertices, footprint: of the pixel, rad. Where vertices
+// stand as close as pixels do, the mesh shows more of the ground than a pixel knows, and the ray ends there.
+FinerGround held_ground(Terrain t, Relief held, GroundRay ray, float spacing, float footprint) {
+  float finer = clamp(spacing / footprint - 1.0, 0.0, 1.0);
   FinerGround g;
   g.mean.value = 0.0;
   g.mean.gradient = vec3(0.0);
   g.shape = g.mean;
-  g.held = held;
+  g.rise_of_mean = finer * held.by_mean;
+  g.rise_of_shape = finer * held.by_shape;
   g.all_layers = all_layers_of(t);
   g.all_ridges = all_ridges_of(t);
   g.relief = 0.0;
   g.ray = ray;
+  g.ray.over *= finer;
   return g;
 }
 
@@ -88,24 +92,24 @@ void go_on(inout FinerGround g, float width) {
   g.shape.value += way * dot(g.shape.gradient, g.ray.along);
 }
 
-// The same before hills of a frequency (cells per radian) are added. What the mesh itself shows of those that its vertices
-// don't tell is there already: of samples half the footprint apart.
-void go_on_to(inout FinerGround g, float frequency, float footprint) {
-  if (frequency * footprint > 1.0) go_on(g, 1.0 / frequency);
+// The same before hills of a frequency (cells per radian) are added. Hills that vertices don't tell, but that the mesh shows,
+// are where it shows them. spacing: of its vertices, rad.
+void go_on_to(inout FinerGround g, float frequency, float spacing) {
+  go_on(g, clamp(2.0 * spacing * frequency - 1.0, 0.0, 1.0) / frequency);
 }
 
 void add_to_mean(inout FinerGround g, float value, vec3 gradient) {
   g.mean.value += value;
   g.mean.gradient += gradient;
-  g.ray.over -= g.held.by_mean * value;
-  g.ray.closing += g.held.by_mean * dot(gradient, g.ray.along);
+  g.ray.over -= g.rise_of_mean * value;
+  g.ray.closing += g.rise_of_mean * dot(gradient, g.ray.along);
 }
 
 void add_to_shape(inout FinerGround g, float value, vec3 gradient) {
   g.shape.value += value;
   g.shape.gradient += gradient;
-  g.ray.over -= g.held.by_shape * value;
-  g.ray.closing += g.held.by_shape * dot(gradient, g.ray.along);
+  g.ray.over -= g.rise_of_shape * value;
+  g.ray.closing += g.rise_of_shape * dot(gradient, g.ray.along);
 }
 
 // Layer i of the ground's noise. amplitude: of what of it is added; n: at the place to which the ray has moved.

@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "planet/node_mesh.hpp"
+
 namespace terrella {
 namespace {
 
@@ -11,6 +13,8 @@ f64::Relief relief_told(const ToldGround& told, const f64::Terrain& terrain) {
   const auto relief_of = terrain.map.map != nullptr ? f64::mapped_relief_of : f64::relief_of;
   return relief_of(terrain, told.means.x, told.means.y);
 }
+
+double spacing_of(const ToldGround& told) { return (1.0 + told.above) * told.footprint / held_spacings; }
 
 void add_layers_to(f64::FinerGround& finer, const ToldGround& told, const f64::Terrain& terrain, const glm::dvec3& up,
                    double footprint, int octaves) {
@@ -20,7 +24,7 @@ void add_layers_to(f64::FinerGround& finer, const ToldGround& told, const f64::T
     const double shown =
         f64::layer_weight(frequency, footprint) - f64::held_weight(frequency, told.footprint, told.above);
     if (i < first || shown <= 0.0) continue;
-    f64::go_on_to(finer, frequency, told.footprint);
+    f64::go_on_to(finer, frequency, spacing_of(told));
     const f64::Noise noise = f64::height_noise(up + f64::moved(finer), terrain, i, frequency);
     f64::add_finer_layer(finer, terrain, i, frequency, amplitude * shown, noise);
   }
@@ -34,7 +38,7 @@ void add_craters_to(f64::FinerGround& finer, const ToldGround& told, const f64::
     const double shown = f64::crater_weight(frequency, footprint) -
                          f64::held_weight(f64::crater_detail * frequency, told.footprint, told.above);
     if (shown <= 0.0) continue;
-    f64::go_on_to(finer, frequency, told.footprint);
+    f64::go_on_to(finer, frequency, spacing_of(told));
     f64::add_finer_craters(finer, terrain, up, i, frequency, shown);
   }
 }
@@ -77,7 +81,8 @@ glm::dvec3 shown_place(const ToldGround& told, const f64::Terrain& terrain, cons
   f64::Relief rising = relief_told(told, terrain);
   rising.by_mean *= 1.0 - told.iced;
   rising.by_shape *= 1.0 - told.iced;
-  f64::FinerGround finer = f64::held_ground(layers, rising, f64::ray_at_mesh(ray, up, told.slope, over - sag));
+  f64::FinerGround finer =
+      f64::held_ground(layers, rising, f64::ray_at_mesh(ray, up, told.slope, over - sag), spacing_of(told), footprint);
   add_layers_to(finer, told, layers, up, footprint, octaves);
   add_craters_to(finer, told, layers, up, footprint);
   add_map_to(finer, told, layers, up, footprint);

@@ -46,9 +46,9 @@ f64::Terrain terrain() {
 }
 
 // A ray that comes down at an angle onto ground without layers that it lacks.
-f64::FinerGround ground_under(const glm::dvec3& ray, double over) {
+f64::FinerGround ground_under(const glm::dvec3& ray, double over, double spread = 1e-4) {
   const f64::Relief held = {0.5e-3, 1e-3, 0.0};
-  return f64::held_ground(terrain(), held, f64::ray_at_mesh(ray, up, glm::dvec3(0.1, 0.0, 0.0), over));
+  return f64::held_ground(terrain(), held, f64::ray_at_mesh(ray, up, glm::dvec3(0.1, 0.0, 0.0), over), 1e-3, spread);
 }
 
 TEST(FinerGround, IsMetWhereTheRayComesDown) {
@@ -68,6 +68,15 @@ TEST(FinerGround, IsMetBeforeTheMeshWhereItIsHigher) {
   f64::go_on(ground, 1.0);
   EXPECT_LT(ground.ray.way, 0.0);
   EXPECT_NEAR(ground.ray.over, 0.0, 1e-18);
+}
+
+// Nor does it move where the mesh knows more than the pixel.
+TEST(FinerGround, IsWhereTheMeshIsThatIsAsFineAsPixels) {
+  const glm::dvec3 ray = glm::normalize(glm::dvec3(1.0, 0.0, -1.0));
+  f64::FinerGround ground = ground_under(ray, 1e-5, 1e-3);
+  f64::add_finer_layer(ground, terrain(), 5, 3200.0, 0.03, {0.7, {1.0, -0.4, 0.2}});
+  f64::go_on(ground, 1.0);
+  EXPECT_EQ(ground.ray.way, 0.0);
 }
 
 // Who has no ray asks for the ground right below.

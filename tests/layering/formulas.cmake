@@ -15,7 +15,7 @@ set(allowed
   "anchored_layers.glsl sqrt"                                    # a place without the difference of large numbers
   "frame_block.glsl log2"                                        # depths
   "node_vertex.glsl sqrt"                                        # distances of vertices
-  "node_surface.glsl sqrt mix"                                   # which layers pixels add to the vertices'
+  "node_surface.glsl sqrt"                                       # which layers pixels add to the vertices'
   "ground/icosphere_near.frag sqrt"                              # how much of it a pixel covers
   "rings/plane.vert mix sin cos")                                # corners of an annulus
 
