@@ -162,7 +162,7 @@ std::vector<NodeError> node_errors(const NodePicture& picture, int places, doubl
                         std::abs(ground.over(told.place)) / ground.pixel_at(told.place),
                         in_a_place * pixels_of(corners, told.place, pose)});
     }
-    skyline.add(picture.vertices_of(drawn), triangles);
+    skyline.add(places_of(vertices), triangles);
   }
   add_sky(picture, seen, skyline, ground, places, chance, errors);
   return errors;

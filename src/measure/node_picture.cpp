@@ -94,11 +94,7 @@ std::vector<double> NodePicture::coarse_parts_of(const DrawnNode& drawn) const {
   return parts;
 }
 
-std::vector<glm::dvec3> NodePicture::vertices_of(const DrawnNode& drawn) const {
-  std::vector<glm::dvec3> places;
-  for (const ToldGround& told : told_by(drawn)) places.push_back(told.place);
-  return places;
-}
+std::vector<glm::dvec3> NodePicture::vertices_of(const DrawnNode& drawn) const { return places_of(told_by(drawn)); }
 
 // As in shaders/node_vertex.glsl.
 std::vector<ToldGround> NodePicture::told_by(const DrawnNode& drawn) const {

@@ -71,6 +71,12 @@ ToldGround between(const ToldGround& a, const ToldGround& b, const ToldGround& c
   return told;
 }
 
+std::vector<glm::dvec3> places_of(const std::vector<ToldGround>& vertices) {
+  std::vector<glm::dvec3> places;
+  for (const ToldGround& vertex : vertices) places.push_back(vertex.place);
+  return places;
+}
+
 glm::dvec3 shown_place(const ToldGround& told, const f64::Terrain& terrain, const glm::dvec3& eye, double footprint,
                        int octaves) {
   f64::Terrain layers = terrain;

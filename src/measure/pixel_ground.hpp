@@ -2,6 +2,8 @@
 // double precision and with the same formulas. Lengths in planet radii.
 #pragma once
 
+#include <vector>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -24,6 +26,8 @@ struct ToldGround {
 
 // parts: of each, their sum 1.
 ToldGround between(const ToldGround& a, const ToldGround& b, const ToldGround& c, const glm::dvec3& parts);
+
+std::vector<glm::dvec3> places_of(const std::vector<ToldGround>& vertices);
 
 // told: at a place of a triangle; footprint: of the pixel, rad; octaves: the layers of noise end there. Returns the
 // place of the ground that the pixel shows for it, on the same ray from the eye.
