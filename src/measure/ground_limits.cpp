@@ -29,10 +29,6 @@ bool same_view(const GroundRow& a, const GroundRow& b) {
 
 }  // namespace
 
-std::int64_t drawn_triangles(const GroundRow& row) {
-  return row.measured.ground.triangles + row.measured.ground.skirt_triangles;
-}
-
 double cpu_ms(const GroundRow& row) { return row.measured.look_ms + row.measured.choose_ms; }
 
 std::vector<std::string> broken_by(const GroundRow& row) {
@@ -46,8 +42,8 @@ std::vector<std::string> broken_by(const GroundRow& row) {
   if (cpu_ms(row) > most_ms) say(figure(cpu_ms(row)), " ms to choose nodes, more than ", figure(most_ms));
   if (row.measured.allocations > 0) say(row.measured.allocations, " allocations to choose nodes");
   for (const TriangleLimit& limit : of_each) {
-    if (row.target == limit.target && drawn_triangles(row) > limit.most)
-      say(drawn_triangles(row), " triangles, more than ", limit.most);
+    if (row.target == limit.target && row.measured.seen_triangles > limit.most)
+      say(row.measured.seen_triangles, " visible triangles, more than ", limit.most);
   }
   return broken;
 }
@@ -58,14 +54,14 @@ std::vector<std::string> broken_limits(const GroundTable& table) {
     for (std::string& sentence : broken_by(*row)) broken.push_back(std::move(sentence));
     const auto is_same = [&](const GroundRow& other) { return same_view(*row, other); };
     if (std::any_of(table.rows.begin(), row, is_same)) continue;
-    std::int64_t fewest = drawn_triangles(*row);
+    std::int64_t fewest = row->measured.seen_triangles;
     for (const GroundRow& other : table.rows) {
-      if (is_same(other)) fewest = std::min(fewest, drawn_triangles(other));
+      if (is_same(other)) fewest = std::min(fewest, other.measured.seen_triangles);
     }
     for (const TriangleLimit& limit : of_best) {
       if (row->target == limit.target && fewest > limit.most)
         broken.push_back(text_of("The best of all models, ", view_in_words(*row), ": ", fewest,
-                                 " triangles, more than ", limit.most, "."));
+                                 " visible triangles, more than ", limit.most, "."));
     }
   }
   return broken;

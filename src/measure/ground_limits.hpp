@@ -8,9 +8,6 @@
 
 namespace terrella {
 
-// Triangles that the GPU is given for the ground, skirts included.
-std::int64_t drawn_triangles(const GroundRow& row);
-
 // Of every frame, on one core, ms.
 double cpu_ms(const GroundRow& row);
 

@@ -19,7 +19,7 @@
 namespace terrella {
 namespace {
 
-constexpr int places_looked_at = 5'000;
+constexpr int places_looked_at = 20'000;
 
 ErrorSpread spread_of_errors(const std::vector<NodeError>& errors, double NodeError::*of) {
   if (errors.empty()) return {};

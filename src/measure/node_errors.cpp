@@ -1,60 +1,18 @@
 #include "measure/node_errors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include <glm/geometric.hpp>
 
 #include "base/check.hpp"
+#include "measure/node_rays.hpp"
 #include "measure/seen_places.hpp"
-#include "measure/skyline.hpp"
 
 namespace terrella {
 namespace {
-
-class Chance {
- public:
-  double part() { return static_cast<double>(random_()) / 4294967296.0; }
-
-  // The first corner of one of a node's triangles, in their list.
-  std::size_t triangle_of(const std::vector<std::uint16_t>& triangles) {
-    return 3 * static_cast<std::size_t>(part() * static_cast<double>(triangles.size() / 3));
-  }
-
-  // Uniform over a triangle, by the parts of its corners.
-  glm::dvec3 place_in_triangle() {
-    const double towards = std::sqrt(part()), along = part();
-    return {1.0 - towards, towards * (1.0 - along), towards * along};
-  }
-
- private:
-  std::mt19937 random_{3U};
-};
-
-using Corners = std::array<glm::dvec3, 3>;
-
-// Twice the triangle's area, outwards.
-glm::dvec3 normal_of(const Corners& corners) { return glm::cross(corners[1] - corners[0], corners[2] - corners[0]); }
-
-bool turns_to(const Corners& corners, const glm::dvec3& eye) {
-  return glm::dot(normal_of(corners), eye - corners[0]) > 0.0;
-}
-
-// That a triangle covers which is as far away as one of its places.
-double pixels_of(const Corners& corners, const glm::dvec3& place, const Pose& pose) {
-  const glm::dvec3 to_eye = pose.eye - place;
-  const double distance = glm::length(to_eye), pixel = pose.pixel_angle * distance;
-  return 0.5 * std::abs(glm::dot(normal_of(corners), to_eye)) / (distance * pixel * pixel);
-}
-
-// As in shaders/frame_block.glsl. footprint: of a pixel that looks straight down, pixels.
-double pixel_footprint(const glm::dvec3& place, const Pose& pose, double footprint) {
-  const glm::dvec3 to_eye = pose.eye - place;
-  const double away = glm::length(to_eye), cosine = glm::dot(to_eye, glm::normalize(place)) / away;
-  return footprint * away * pose.pixel_angle / std::max(cosine, 0.12);
-}
 
 // The ground itself, as far as the picture can show it.
 class TrueGround {
@@ -98,73 +56,83 @@ class TrueGround {
   double footprint_;
 };
 
-// Rays that no triangle meets, but the ground does.
-void add_sky(const NodePicture& picture, const SeenPlaces& seen, const GroundSkyline& skyline, const TrueGround& ground,
-             int rays, Chance& chance, std::vector<NodeError>& errors) {
-  const Pose& pose = picture.pose();
-  const glm::dvec2 size(picture.view().width, picture.view().height);
-  const double highest = 1.0 + picture.terrain().height;
-  for (int i = 0; i < rays; ++i) {
-    const double x = chance.part(), y = chance.part();
-    const glm::dvec3 ray = seen.ray_to((glm::dvec2(x, y) - 0.5) * size);
-    if (seen.is_solid_along(ray) || skyline.hides(pose.eye + ray)) continue;
-    // To where it leaves the sphere of the highest mountains.
-    const double middle = -glm::dot(pose.eye, ray);
-    const double half_square = highest * highest - glm::dot(pose.eye, pose.eye) + middle * middle;
-    if (half_square <= 0.0) continue;
-    const double off = ground.rises_before(ray, middle + std::sqrt(half_square));
-    if (off > 0.0) errors.push_back({off, off, size.x * size.y / rays});
-  }
+// Where a ray leaves the sphere of the highest mountains; nothing where it never meets that.
+std::optional<double> leaves_mountains(const NodePicture& picture, const glm::dvec3& ray) {
+  const glm::dvec3& eye = picture.pose().eye;
+  const double highest = 1.0 + picture.terrain().height, middle = -glm::dot(eye, ray);
+  const double half_square = highest * highest - glm::dot(eye, eye) + middle * middle;
+  if (half_square <= 0.0 || middle + std::sqrt(half_square) <= 0.0) return std::nullopt;
+  return middle + std::sqrt(half_square);
 }
+
+class Errors {
+ public:
+  Errors(const NodePicture& picture, double footprint)
+      : picture_(picture),
+        footprint_(footprint),
+        seen_(picture.scene(), picture.view(), picture.pose(), picture.needs()),
+        rays_(picture),
+        ground_(picture, seen_, footprint) {}
+
+  // Of what is shown at a place of the picture, pixels from its middle; nothing where that is no ground, nor is any
+  // before it.
+  [[nodiscard]] std::optional<NodeError> at(const glm::dvec2& pixel) const {
+    const glm::dvec3 ray = seen_.ray_to(pixel);
+    if (const std::optional<ToldGround> told = rays_.first_along(ray)) {
+      return seen_.is_hidden(told->place) ? std::nullopt : std::optional(of_ground(*told, ray));
+    }
+    return of_sky(ray);
+  }
+
+ private:
+  [[nodiscard]] NodeError of_ground(const ToldGround& told, const glm::dvec3& ray) const {
+    const Pose& pose = picture_.pose();
+    const glm::dvec3 shown = shown_place(told, picture_.terrain(), pose.eye, footprint_ * pose.pixel_angle,
+                                         picture_.needs().pixel_octaves_end);
+    const double over = ground_.over(shown), away = glm::distance(shown, pose.eye);
+    // What lies so near before the place is the error of the place itself.
+    const double before = away - 8.0 * std::abs(over) - 4.0 * ground_.pixel_at(shown);
+    return {std::max(ground_.seen_over(shown, over), ground_.rises_before(ray, before)),
+            std::abs(ground_.over(told.place)) / ground_.pixel_at(told.place)};
+  }
+
+  [[nodiscard]] std::optional<NodeError> of_sky(const glm::dvec3& ray) const {
+    const std::optional<double> leaves = leaves_mountains(picture_, ray);
+    if (!leaves || seen_.is_hidden(picture_.pose().eye + *leaves * ray)) return std::nullopt;
+    const double off = ground_.rises_before(ray, *leaves);
+    return off > 0.0 ? std::optional(NodeError{off, off}) : std::nullopt;
+  }
+
+  const NodePicture& picture_;
+  double footprint_;
+  SeenPlaces seen_;
+  NodeRays rays_;
+  TrueGround ground_;
+};
 
 }  // namespace
 
-double percentile(std::vector<NodeError> errors, double NodeError::*of, double part) {
+double percentile(const std::vector<NodeError>& errors, double NodeError::*of, double part) {
   CHECK(!errors.empty());
-  std::sort(errors.begin(), errors.end(), [&](const NodeError& a, const NodeError& b) { return a.*of < b.*of; });
-  double all = 0.0;
-  for (const NodeError& error : errors) all += error.pixels;
-  double below = 0.0;
-  for (const NodeError& error : errors) {
-    below += error.pixels;
-    if (below >= part * all) return error.*of;
-  }
-  return errors.back().*of;
+  std::vector<double> values;
+  for (const NodeError& error : errors) values.push_back(error.*of);
+  const auto count = static_cast<std::ptrdiff_t>(std::ceil(part * static_cast<double>(values.size())));
+  const auto at = values.begin() + std::max<std::ptrdiff_t>(count - 1, 0);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 std::vector<NodeError> node_errors(const NodePicture& picture, int places, double footprint) {
-  const Pose& pose = picture.pose();
-  const SeenPlaces seen(picture.scene(), picture.view(), pose, picture.needs());
-  const TrueGround ground(picture, seen, footprint);
-  GroundSkyline skyline(pose.eye);
-  Chance chance;
+  constexpr int most_tried = 16;  // for each place of ground
+  const Errors errors_of(picture, footprint);
+  const glm::dvec2 size(picture.view().width, picture.view().height);
+  std::mt19937 random{3U};
+  const auto part = [&] { return static_cast<double>(random()) / 4294967296.0; };
   std::vector<NodeError> errors;
-  const std::size_t in_each = static_cast<std::size_t>(places) / std::max<std::size_t>(picture.drawn().size(), 1) + 1;
-  for (const DrawnNode& drawn : picture.drawn()) {
-    if (!picture.shows(NodeLayer::ground, drawn)) continue;
-    const std::vector<ToldGround> vertices = picture.told_by(drawn);
-    const std::vector<std::uint16_t>& triangles = picture.triangles_of(drawn, NodePicture::Skirt::without);
-    const double in_a_place = static_cast<double>(triangles.size() / 3) / static_cast<double>(in_each);
-    for (std::size_t i = 0; i < in_each; ++i) {
-      const std::size_t first = chance.triangle_of(triangles);
-      const ToldGround &a = vertices[triangles[first]], &b = vertices[triangles[first + 1]],
-                       &c = vertices[triangles[first + 2]];
-      const Corners corners = {a.place, b.place, c.place};
-      const ToldGround told = between(a, b, c, chance.place_in_triangle());
-      if (!seen.is_seen(told.place) || !turns_to(corners, pose.eye) || skyline.hides(told.place)) continue;
-      const glm::dvec3 shown =
-          shown_place(told, picture.terrain(), pose.eye, pixel_footprint(told.place, pose, footprint),
-                      picture.needs().pixel_octaves_end);
-      const double over = ground.over(shown), away = glm::distance(shown, pose.eye);
-      // What lies so near before the place is the error of the place itself.
-      const double before = away - 8.0 * std::abs(over) - 4.0 * ground.pixel_at(shown);
-      errors.push_back({std::max(ground.seen_over(shown, over), ground.rises_before((shown - pose.eye) / away, before)),
-                        std::abs(ground.over(told.place)) / ground.pixel_at(told.place),
-                        in_a_place * pixels_of(corners, told.place, pose)});
-    }
-    skyline.add(places_of(vertices), triangles);
+  for (int i = 0; i < most_tried * places && std::ssize(errors) < places; ++i) {
+    const double x = part(), y = part();
+    if (const std::optional<NodeError> error = errors_of.at((glm::dvec2(x, y) - 0.5) * size)) errors.push_back(*error);
   }
-  add_sky(picture, seen, skyline, ground, places, chance, errors);
   return errors;
 }
 

@@ -26,23 +26,12 @@ glm::dvec3 SeenPlaces::ray_to(const glm::dvec2& pixel) const {
   return glm::normalize(pixels_a_tan_ * pose_.forward + pixel.x * pose_.right + pixel.y * pose_.up);
 }
 
-bool SeenPlaces::is_solid_along(const glm::dvec3& ray) const {
-  const double nearest = -glm::dot(pose_.eye, ray);
-  return nearest > 0.0 && glm::length(pose_.eye + nearest * ray) < solid_;
-}
-
 bool SeenPlaces::is_hidden(const glm::dvec3& place) const {
   if (glm::length(place) < solid_) return true;
   const glm::dvec3 from_eye = place - pose_.eye;
   // Where the ray to the place is nearest to the planet's middle.
   const double nearest = -glm::dot(pose_.eye, from_eye) / glm::dot(from_eye, from_eye);
   return nearest > 0.0 && nearest < 1.0 && glm::length(pose_.eye + nearest * from_eye) < solid_;
-}
-
-bool SeenPlaces::is_seen(const glm::dvec3& place) const {
-  if (glm::dot(place - pose_.eye, pose_.forward) <= 0.0) return false;
-  const glm::dvec2 pixel = glm::abs(pixel_of(place));
-  return pixel.x <= half_.x && pixel.y <= half_.y && !is_hidden(place);
 }
 
 bool SeenPlaces::is_seen(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {

@@ -17,19 +17,14 @@ class SeenPlaces {
   // From the eye to what pixel_of tells, unit.
   [[nodiscard]] glm::dvec3 ray_to(const glm::dvec2& pixel) const;
 
-  // Whether sea or planet lies on a ray from the eye, unit.
-  [[nodiscard]] bool is_solid_along(const glm::dvec3& ray) const;
-
-  // Whether it is in the picture, and neither sea nor planet lies before it.
-  [[nodiscard]] bool is_seen(const glm::dvec3& place) const;
+  // Whether sea or planet lies before a place, or around it.
+  [[nodiscard]] bool is_hidden(const glm::dvec3& place) const;
 
   // Whether a triangle, counter-clockwise from outside, turns to the eye and has something in the picture with neither
   // sea nor planet before it, as far as its corners tell.
   [[nodiscard]] bool is_seen(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
  private:
-  [[nodiscard]] bool is_hidden(const glm::dvec3& place) const;
-
   Pose pose_;
   glm::dvec2 half_;      // of the picture, pixels
   double pixels_a_tan_;  // in its middle

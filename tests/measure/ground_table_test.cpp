@@ -41,6 +41,7 @@ GroundRow sample() {
   row.measured.places = 1000;
   row.measured.seen = {0.1, 0.9, 3.0};
   row.measured.ground = {50, 1000, 40'000, 200, 9'000};
+  row.measured.seen_triangles = 49'000;
   row.measured.look_ms = 0.4;
   row.measured.choose_ms = 0.5;
   return row;
@@ -136,19 +137,20 @@ TEST(GroundLimits, AreBrokenOneByOne) {
   row.measured.places = 0;
   EXPECT_EQ(broken_of(row), "quadtree, blue from 10000 m at 1 px: no ground is seen.\n");
   row = sample();
-  row.measured.ground.skirt_triangles = 170'000;
+  row.measured.seen_triangles = 210'000;
   EXPECT_EQ(broken_of(row),
-            "quadtree, blue from 10000 m at 1 px: 210000 triangles, more than 200000.\n"
-            "The best of all models, blue from 10000 m at 1 px: 210000 triangles, more than 50000.\n");
+            "quadtree, blue from 10000 m at 1 px: 210000 visible triangles, more than 200000.\n"
+            "The best of all models, blue from 10000 m at 1 px: 210000 visible triangles, more than 50000.\n");
   row = sample();
   row.target = 2.0;
-  EXPECT_EQ(broken_of(row), "The best of all models, blue from 10000 m at 2 px: 49000 triangles, more than 13000.\n");
+  EXPECT_EQ(broken_of(row),
+            "The best of all models, blue from 10000 m at 2 px: 49000 visible triangles, more than 13000.\n");
 }
 
 TEST(GroundLimits, AskOfTheBestModelAlone) {
   GroundRow other = sample();
   other.model = "another";
-  other.measured.ground.triangles = 100'000;
+  other.measured.seen_triangles = 100'000;
   EXPECT_TRUE(broken_limits({{}, {}, 0.0, {other, sample()}}).empty());
   EXPECT_TRUE(broken_limits({{}, {}, 0.0, {sample(), other}}).empty());
   other.altitude = 1e5;  // of another view it is the only one

@@ -49,14 +49,6 @@ TEST(NodeErrors, ShowLessWhereTheyAreSeenFromAbove) {
   for (const NodeError& error : errors) EXPECT_LE(error.seen, 0.2 * error.upright + 0.04);
 }
 
-// One half of the picture may be drawn with a hundred times as many places as the other.
-TEST(NodeErrors, CountByThePixelsTheyStandFor) {
-  std::vector<NodeError> errors(100, NodeError{5.0, 5.0, 0.01});
-  errors.push_back({1.0, 1.0, 1.1});
-  EXPECT_EQ(percentile(errors, &NodeError::seen, 0.5), 1.0);
-  EXPECT_EQ(percentile(errors, &NodeError::seen, 0.6), 5.0);
-}
-
 TEST(NodeErrors, GrowAsNodesAreCoarser) {
   if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   double first = 0.0, before = 0.0;
