@@ -16,8 +16,8 @@ Relief node_relief(float mean, float shape) { return mapped_relief_of(scene_terr
 void add_finer_map(inout FinerGround finer, vec3 up, float footprint) {
   vec3 direction = normalize(up + moved(finer));
   MapHeight shown = map_height_at(height_map, direction, footprint);
-  MapHeight held = map_height_at(height_map, direction, node_held.x);
-  MapHeight held_above = map_height_at(height_map, direction, 2.0 * node_held.x);
+  MapHeight held = map_height_at(height_map, direction, held_footprint(node_held.x));
+  MapHeight held_above = map_height_at(height_map, direction, held_footprint(2.0 * node_held.x));
   float above = node_held.y;
   add_to_shape(finer, shown.value - (1.0 - above) * held.value - above * held_above.value,
                shown.gradient - (1.0 - above) * held.gradient - above * held_above.gradient);

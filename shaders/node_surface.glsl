@@ -7,17 +7,16 @@
 
 float held_of_layer(float frequency) { return held_weight(frequency, node_held.x, node_held.y); }
 
-// Of vertices, rad. They tell the ground for held_spacings (src/planet/node_mesh.hpp) of it.
-float node_spacing() { return 0.5 * (1.0 + node_held.y) * node_held.x; }
+// Of vertices, rad.
+float node_spacing() { return (1.0 + node_held.y) * node_held.x; }
 
 // How much a layer lifts the ground for each unit of its value, and how much one does that is a ridge of ranges.
 vec2 rises_of(Relief r, Terrain t) {
   return vec2(r.by_mean / all_layers_of(t), node_has_ranges ? r.by_shape / all_ridges_of(t) : 0.0);
 }
 
-// How steep ground is made of so many layers and ridges: each is as steep as any other, whatever the width of its cells, of
-// which heights of real ground are about in proportion.
-float steepness(vec2 rises, vec2 held) { return sqrt(dot(held, rises * rises)); }
+// How many times as much something lifts the ground where pixels add to what the vertices hold of it.
+float times_as_much(float all, float held) { return held > 0.0 ? min(all / held, 4.0) : 1.0; }
 
 // How strongly layers act, for unseen_slopes, which takes all of them for as steep as those that are no ridges of ranges.
 // Those ridges are the ones that a ridged ground has anyway, so that both rise together; else one knows nothing of the other.
@@ -69,28 +68,39 @@ GroundAt node_ground(inout vec3 place, vec3 ray) {
   Terrain t = scene_terrain();
   t.ranges.part = node_has_ranges ? t.ranges.part : 0.0;
   vec3 up = normalize(eye_position() + place), slope = node_slope.xyz;
-  float footprint = pixel_footprint(up, place, 0.12), bare = 1.0 - node_height.w;
+  // By the angle at which the vertices' ground is seen, and how far apart samples would be that look straight at it.
+  float footprint = pixel_footprint(normalize(up - slope), place, 0.12), across = pixel_footprint(-ray, place, 1.0);
+  float bare = 1.0 - node_height.w;
   Relief held = node_relief(node_height.y, node_height.z), rising = held;
   rising.by_mean *= bare;
   rising.by_shape *= bare;
   float over = over_between(node_held.z, slope, node_place.xyz);
   float sag = sag_between(node_place.w, node_place.xyz);
-  FinerGround finer = held_ground(t, rising, ray_at_mesh(ray, up, slope, over - sag), node_spacing(), footprint);
-  add_layers_to(finer, t, direction_from_anchor(place), footprint);
-  add_craters_to(finer, t, up, footprint);
-  add_finer_map(finer, up, footprint);
-  go_on(finer, 4.0 * footprint);
+  FinerGround begun = held_ground(t, rising, ray_at_mesh(ray, up, slope, over - sag), node_spacing(), footprint);
+  FinerGround finer = begun, first = begun;
+  float doubtful = 0.0;
+  for (int pass = 0; pass < 2; ++pass) {
+    if (pass > 0) finer = once_more(begun, first.ray.way);
+    add_layers_to(finer, t, direction_from_anchor(place), footprint);
+    add_craters_to(finer, t, up, footprint);
+    add_finer_map(finer, up, footprint);
+    go_on(finer, 4.0 * footprint);
+    if (pass > 0) break;
+    doubtful = part_in_doubt(finer, across);
+    if (doubtful <= 0.0) break;
+    first = finer;
+  }
+  if (doubtful > 0.0) finer = between_rays(first, finer, doubtful);
   place += finer.ray.way * ray;
   Relief all = node_relief(node_height.y + finer.mean.value, max(node_height.z + finer.shape.value, 0.0));
-  vec2 rises = rises_of(all, t);
-  // What of the vertices' slope is which mean's is not told: both as far as layers of each are held.
-  vec2 told = vec2(node_layers.x + 1.0, max(node_layers.x - float(t.ranges.first), 0.0));
-  float before = steepness(rises_of(held, t), told);
-  float steeper = before > 0.0 ? min(steepness(rises, told) / before, 4.0) : 1.0;
+  vec2 rises = rises_of(all, t), held_rises = rises_of(held, t);
+  float relief = times_as_much(rises.x + rises.y, held_rises.x + held_rises.y) * node_slope.w;
   GroundAt ground;
-  ground.openness = openness_of(steeper * node_slope.w + bare * (rises.x + rises.y) * finer.relief);
+  ground.openness = openness_of(relief + bare * (rises.x + rises.y) * finer.relief);
   ground.height = node_height.x - over + bare * (all.value - held.value) + dot(slope, moved(finer));
-  vec3 gradient = steeper * slope + bare * (all.by_mean * finer.mean.gradient + all.by_shape * finer.shape.gradient);
+  vec3 gradient = times_as_much(all.by_mean, held.by_mean) * (slope - node_shape_slope) +
+                  times_as_much(all.by_shape, held.by_shape) * node_shape_slope +
+                  bare * (all.by_mean * finer.mean.gradient + all.by_shape * finer.shape.gradient);
   ground.gradient = gradient - dot(gradient, up) * up;
   return ground;
 }

@@ -4,25 +4,29 @@
 #include "lib/finer_ground.glsl"
 #include "scene_block.glsl"
 
-// A row a node, a texel a vertex, row after row along x (src/planet/node_mesh.hpp).
+// A texel a vertex, row after row of its node's along x (src/planet/node_mesh.hpp); nodes in node_rows (src/passes/node_meshes.hpp), and then beside the
+// first.
 uniform sampler2D node_places;   // xyz: from the node's centre; w: height over the ground that pixels go on with
 uniform sampler2D node_coarser;  // what is added to them where the level above takes over
 uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: relief of Height
 uniform sampler2D node_coarser_slopes;
+uniform sampler2D node_shape_slopes;  // what of the gradient comes of the shape of Height
+uniform sampler2D node_coarser_shape_slopes;
 uniform sampler2D node_means;  // xy: mean and shape of Height, to which 8 is added where ice lies, 4 midway; zw: what is added to them
 uniform vec4 node_morph;  // x, y: distances, edges of a node, from which to which one level passes to the next; z: square of the eye's lift; w: skirt, rad
-uniform int node_cells;   // along a side of a node
+uniform int node_vertices;  // of a node
 
-layout(location = 0) in vec4 node_centre;  // xyz: from the eye; w: row of the textures
+layout(location = 0) in vec4 node_centre;  // xyz: from the eye; w: number among those in the textures
 layout(location = 1) in vec4 node_middle;  // xyz: unit; w: base, a height
 layout(location = 2) in vec4 node_along;   // xyz: middle less the eye's direction; w: edge, rad
 layout(location = 3) in vec4 node_sea;     // xyz: the middle at the sea's level, from the eye; w: the base's height over it
-layout(location = 4) in vec4 node_around;  // x: as DrawnNode's coarser; y, z: first layer of noise that the node's vertices don't tell whole, and its strength; w: footprint that they tell the ground for, rad
+layout(location = 4) in vec4 node_around;  // x: as DrawnNode's coarser; y, z: first layer of noise that the node's vertices don't tell whole, and its strength; w: how far apart they are, rad
 layout(location = 5) in ivec2 node_corner;  // x: the texel; y: sides and corners that the vertex lies on (NodePatch), negative at the lower end of a skirt
 
 out vec4 node_slope;        // xyz: gradient of the height along the sphere; w: relief of Height
+out vec3 node_shape_slope;  // what of the gradient comes of the shape
 out vec4 node_height;       // x: of ice over the water; y, z: Height's mean and shape; w: part that is ice
-out vec3 node_held;         // x: footprint that the vertices tell the ground for, rad, the level above for twice as much; y: part of that; z: over_at_vertex
+out vec3 node_held;         // x: how far apart the vertices are, rad; y: part that they tell as the level above does; z: over_at_vertex
 out vec4 node_place;        // xyz: from the node's centre; w: its square
 flat out vec2 node_layers;  // x: first that the vertices don't hold whole; y: its strength, of that of the first of all
 
@@ -47,7 +51,9 @@ vec3 flat_place_of(vec3 place, float rise) {
 
 // Where the vertex is; tells pixels what it knows of the ground.
 NodeVertex node_vertex() {
-  ivec2 texel = ivec2(node_corner.x, int(node_centre.w));
+  const int rows = 2048;
+  int slot = int(node_centre.w);
+  ivec2 texel = ivec2(node_corner.x + slot / rows * node_vertices, slot % rows);
   vec4 own = texelFetch(node_places, texel, 0);
   // Of its own height, which all nodes agree on that share it.
   vec3 chord = flat_place_of(own.xyz, rise_to(own.xyz)) + node_along.xyz;
@@ -59,6 +65,7 @@ NodeVertex node_vertex() {
   float rise = rise_to(own.xyz);
   vec4 means = texelFetch(node_means, texel, 0);
   node_slope = texelFetch(node_slopes, texel, 0) + part * texelFetch(node_coarser_slopes, texel, 0);
+  node_shape_slope = texelFetch(node_shape_slopes, texel, 0).xyz + part * texelFetch(node_coarser_shape_slopes, texel, 0).xyz;
   float iced = floor(0.25 * means.y + 0.01);
   float coarser_iced = floor(0.25 * (means.y + means.w) + 0.01);
   iced += part * (coarser_iced - iced);

@@ -24,6 +24,8 @@ struct FinerGround {
   float rise_of_mean, rise_of_shape;  // how much each raises the ground on which the ray ends
   float all_layers, all_ridges;  // sums of amplitudes that both means are of
   float relief;       // as openness_of takes it, of a ground as high as all_layers
+  float curvature;    // of the hills that were added, as far as most of them bend, radii for each square of the unit sphere
+  float bent;         // by about how much the ray has missed them as they bend, radii
   GroundRay ray;
 };
 
@@ -38,10 +40,17 @@ float over_between(float over, vec3 slope, vec3 place) { return over - 0.5 * dot
 // How much lower the mesh lies there than its vertices, as the sphere bends under it. square: of places, interpolated.
 float sag_between(float square, vec3 place) { return 0.5 * max(square - dot(place, place), 0.0); }
 
-// How much of a layer the vertices hold. frequency: cells per radian; footprint: of samples that they tell the ground for,
-// rad; above: part to which they tell it for samples twice as far apart.
-float held_weight(float frequency, float footprint, float above) {
-  return mix(layer_weight(frequency, footprint), layer_weight(frequency, 2.0 * footprint), above);
+// How far apart (rad) samples are that vertices tell the ground for. The finest layers that they show bend too much from one to
+// the next to be found on a straight line between them: those are left to pixels. Where spacing (rad) is wide, seen from far
+// away, half as much is: there pixels would have to add nearly all of the ground.
+float held_footprint(float spacing) {
+  return clamp(0.005, 2.0 * spacing, 4.0 * spacing);
+}
+
+// How much of a layer the vertices hold. frequency: cells per radian; spacing: theirs, rad; above: part to which they tell what
+// those of the level above do, twice as far apart.
+float held_weight(float frequency, float spacing, float above) {
+  return mix(layer_weight(frequency, held_footprint(spacing)), layer_weight(frequency, held_footprint(2.0 * spacing)), above);
 }
 
 // ray: from the eye, unit; 0: none, the ground right below is asked for. up: unit, of the place; slope: of what the
@@ -73,8 +82,41 @@ FinerGround held_ground(Terrain t, Relief held, GroundRay ray, float spacing, fl
   g.all_layers = all_layers_of(t);
   g.all_ridges = all_ridges_of(t);
   g.relief = 0.0;
+  g.curvature = 0.0;
+  g.bent = 0.0;
   g.ray = ray;
   g.ray.over *= finer;
+  return g;
+}
+
+// The same for a ray that has found its way before: layers are looked up where that ended, not where it meets the mesh.
+FinerGround once_more(FinerGround begun, float way) {
+  FinerGround g = begun;
+  g.ray.way = way;
+  g.ray.over -= way * g.ray.closing;
+  return g;
+}
+
+// How far the ray may have ended off the ground, as layers were looked up before it ended: across it, radii.
+float doubt_of(FinerGround g) {
+  return (abs(g.ray.over) + g.bent) * length(g.ray.along);
+}
+
+// How much (0..1) a second ray is to count, which begins once more: from a tenth of a sample's width of doubt on, and
+// wholly from 0.43 on: a step would show where levels of detail change. across: that width, radii.
+float part_in_doubt(FinerGround g, float across) {
+  return clamp(4.0 * doubt_of(g) / across - 0.2, 0.0, 1.0);
+}
+
+// What two rays have found that began once and once more, between both.
+FinerGround between_rays(FinerGround first, FinerGround second, float part) {
+  FinerGround g = second;
+  g.mean.value = mix(first.mean.value, second.mean.value, part);
+  g.mean.gradient = mix(first.mean.gradient, second.mean.gradient, part);
+  g.shape.value = mix(first.shape.value, second.shape.value, part);
+  g.shape.gradient = mix(first.shape.gradient, second.shape.gradient, part);
+  g.relief = mix(first.relief, second.relief, part);
+  g.ray.way = mix(first.ray.way, second.ray.way, part);
   return g;
 }
 
@@ -87,6 +129,7 @@ void go_on(inout FinerGround g, float width) {
   float closing = max(g.ray.closing, 0.1), reach = 0.5 * closing * width;
   float way = clamp(g.ray.over / closing, -reach, reach);
   g.ray.way += way;
+  g.bent += 0.5 * g.curvature * way * way * dot(g.ray.along, g.ray.along);
   g.ray.over -= way * g.ray.closing;
   g.mean.value += way * dot(g.mean.gradient, g.ray.along);
   g.shape.value += way * dot(g.shape.gradient, g.ray.along);
@@ -112,15 +155,21 @@ void add_to_shape(inout FinerGround g, float value, vec3 gradient) {
   g.ray.closing += g.rise_of_shape * dot(gradient, g.ray.along);
 }
 
+// How much a layer that is no ridge bends, in its cells, in nine of ten places at the most (tests/laws/finer_ground_test.cpp).
+const float layer_bend = 8.0;
+
 // Layer i of the ground's noise. amplitude: of what of it is added; n: at the place to which the ray has moved.
 void add_finer_layer(inout FinerGround g, Terrain t, int i, float frequency, float amplitude, Noise n) {
   float added = amplitude * (layer_value(n.value, t.ridged, t.sharpness) - layer_mean(t.ridged));
   float slope = amplitude * frequency * layer_slope(n.value, t.ridged, t.sharpness);
   add_to_mean(g, added / g.all_layers, (slope / g.all_layers) * n.gradient);
   if (i > 0) g.relief += frequency * added;
+  float bend = amplitude * layer_bend * frequency * frequency;
+  g.curvature += bend / g.all_layers * g.rise_of_mean;
   if (t.ranges.part <= 0.0 || i < t.ranges.first) return;
   float ridge = amplitude * (layer_value(n.value, true, t.sharpness) - layer_mean(true));
   float ridge_slope = amplitude * frequency * layer_slope(n.value, true, t.sharpness);
+  g.curvature += bend / g.all_ridges * g.rise_of_shape;
   add_to_shape(g, ridge / g.all_ridges, (ridge_slope / g.all_ridges) * n.gradient);
 }
 
@@ -129,6 +178,7 @@ void add_finer_craters(inout FinerGround g, Terrain t, vec3 direction, int i, fl
   float dug = 0.0;
   vec3 slope = vec3(0.0);
   add_craters_of_size(normalize(direction + moved(g)), i, frequency, t.craters.seed, t.craters.depth * shown, dug, slope);
+  g.curvature += g.rise_of_mean / t.height * t.craters.depth * shown * 10.0 * frequency;
   add_to_mean(g, dug / t.height, slope / t.height);
   g.relief += g.all_layers / t.height * dug * t.craters.frequency;
 }

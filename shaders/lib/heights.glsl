@@ -32,6 +32,7 @@ struct Terrain {
 struct Height {
   float value;
   vec3 gradient;
+  vec3 shape_gradient;  // what of it comes of the shape
   float relief;    // what openness is told of (openness_of)
   float openness;  // 0..1: below a half in hollows, above it on crests
   // What it is made of, under the ice (relief_of): the mean of all layers, and that of the ridges of ranges. Where a map
@@ -167,6 +168,7 @@ void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
   if (height <= ground.value) return;
   ground.value = height;
   ground.gradient = vec3(0.0);
+  ground.shape_gradient = vec3(0.0);
   ground.relief = relief_of_ice;
   ground.openness = openness_of(relief_of_ice);
   ground.iced = true;
@@ -229,7 +231,8 @@ Height height_of(HeightParts p, vec3 direction, Terrain t) {
   vec3 gradient = p.gradient + (total * of_dug) * p.dug_gradient;
   float relief = p.relief + total * of_dug * p.dug * t.craters.frequency;
   ground.value = relief_here.value;
-  ground.gradient = rise * gradient + rise_of_ridges * p.ridges.gradient;
+  ground.shape_gradient = rise_of_ridges * p.ridges.gradient;
+  ground.gradient = rise * gradient + ground.shape_gradient;
   ground.relief = relief * (rise + rise_of_ridges);
   ground.openness = openness_of(ground.relief);
   lay_ice(ground, direction, t.ice, p.footprint);

@@ -72,7 +72,8 @@ Height mapped_height_at(vec3 direction, Terrain t, highp sampler2D map, float fo
   Relief relief_here = mapped_relief_of(t, ground.mean, ground.shape);
   float rise = relief_here.by_mean / total;
   ground.value = relief_here.value;
-  ground.gradient = relief_here.by_shape * shape.gradient + rise * gradient;
+  ground.shape_gradient = relief_here.by_shape * shape.gradient;
+  ground.gradient = ground.shape_gradient + rise * gradient;
   ground.relief = t.height * shape.relief + relief * rise;
   ground.openness = openness_of(ground.relief);
   lay_ice(ground, direction, t.ice, footprint);

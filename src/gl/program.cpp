@@ -87,7 +87,9 @@ void Program::finish() {
   set("node_coarser", unit_nodes + 1);
   set("node_slopes", unit_nodes + 2);
   set("node_coarser_slopes", unit_nodes + 3);
-  set("node_means", unit_nodes + 4);
+  set("node_shape_slopes", unit_nodes + 4);
+  set("node_coarser_shape_slopes", unit_nodes + 5);
+  set("node_means", unit_nodes + 6);
   set("height_map", unit_heights);
   finished_ = true;
 }

@@ -44,8 +44,8 @@ enum Unit : int {
   unit_ground = 0,
   unit_clouds = 1,
   unit_image = 2,
-  unit_nodes = 3,  // five of them
-  unit_heights = 8
+  unit_nodes = 3,  // seven of them
+  unit_heights = 10
 };
 enum Block : GLuint { block_scene = 0, block_frame = 1, block_waves = 2, block_layers = 3 };
 

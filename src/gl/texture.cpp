@@ -45,10 +45,11 @@ Image::Image(int width, int height, Format format) : width_(width), height_(heig
   memory_.set(std::int64_t{width} * height * layout.bytes);
 }
 
-void Image::set_row(int row, std::span<const glm::vec4> texels) const {
-  CHECK(texels.size() <= static_cast<std::size_t>(width_) && row < height_, texels.size(), width_, row);
+void Image::set_row(int row, std::span<const glm::vec4> texels, int column) const {
+  const auto count = static_cast<GLsizei>(texels.size());
+  CHECK(count + column <= width_ && row < height_, count, column, width_, row);
   glBindTexture(GL_TEXTURE_2D, name());
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, row, static_cast<GLsizei>(texels.size()), 1, GL_RGBA, GL_FLOAT, texels.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, column, row, count, 1, GL_RGBA, GL_FLOAT, texels.data());
 }
 
 void Image::bind(int unit) const {

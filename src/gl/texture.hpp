@@ -20,8 +20,8 @@ class Image {
  public:
   Image(int width, int height, Format format);
 
-  // texels: no more than a row has; of a format of floats.
-  void set_row(int row, std::span<const glm::vec4> texels) const;
+  // texels: of a row from a column on, no more than it has there; of a format of floats.
+  void set_row(int row, std::span<const glm::vec4> texels, int column = 0) const;
 
   void bind(int unit) const;
   [[nodiscard]] GLuint name() const { return texture_.name(); }

@@ -58,13 +58,14 @@ void add_nodes(Sum& sum, const Needs& needs) {
   const NodePatch patch = patch_of(needs.ground, needs.ground_cells);
   const std::int64_t vertices = std::ssize(patch.vertices), rim = std::ssize(patch.rim), lists = patch.lists();
   const std::int64_t triangles = std::ssize(patch.triangles) / 3 + 2 * rim;
+  const std::int64_t room = node_room(static_cast<int>(vertices));
   // Beside a grid around the eye there is room for the next.
   const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
   const int layers = needs.water != Water::none ? 2 : 1;
-  sum.draw(layers * node_slots * triangles, static_cast<int>(lists) * layers);
+  sum.draw(layers * room * triangles, static_cast<int>(lists) * layers);
   for (int n = 0; n < kept; ++n) {
-    for (const gl::Format format : node_formats) sum.texels(vertices * node_slots, gl::bytes_of(format));
-    sum.bytes(layers * node_slots * vec4s_a_node * std::int64_t{16} + lists * 6 * triangles + 8 * (vertices + rim));
+    for (const gl::Format format : node_formats) sum.texels(vertices * room, gl::bytes_of(format));
+    sum.bytes(layers * room * vec4s_a_node * std::int64_t{16} + lists * 6 * triangles + 8 * (vertices + rim));
   }
 }
 

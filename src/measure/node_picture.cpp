@@ -28,8 +28,8 @@ NodePicture::NodePicture(const Scene& scene, const View& view)
       patch_(grid_->patch(needs_.ground_cells)),
       ranges_(ranges_of(*grid_, needs_)),
       sight_(sight_of_nodes(scene, needs_, pose_, view)),
-      cache_(node_slots),
-      vertices_(node_slots) {
+      cache_(node_room(vertices_of_patch(patch_.sides, patch_.cells))),
+      vertices_(static_cast<std::size_t>(node_room(vertices_of_patch(patch_.sides, patch_.cells)))) {
   for (const Skirt skirt : {Skirt::without, Skirt::with}) {
     for (unsigned list = 0; list < patch_.lists(); ++list) {
       triangles_.at(static_cast<std::size_t>(skirt)).at(list) = node_triangles(patch_, list, skirt == Skirt::with);
@@ -101,7 +101,7 @@ std::vector<ToldGround> NodePicture::told_by(const DrawnNode& drawn) const {
   const NodeCache::Entry& entry = cache_.at(drawn.slot);
   const NodeVertices& vertices = vertices_[static_cast<std::size_t>(drawn.slot)];
   const glm::dvec3 centre = centre_of(entry.frame);
-  const double footprint = held_spacings * grid_->spacing(entry.node.level, patch_.cells);
+  const double spacing = grid_->spacing(entry.node.level, patch_.cells);
   const auto ice_in = [](double shape) { return 0.5 * std::floor(2.0 * shape / ice_flag + 0.01); };
   std::vector<ToldGround> all;
   const std::vector<double> parts = coarse_parts_of(drawn);
@@ -118,7 +118,7 @@ std::vector<ToldGround> NodePicture::told_by(const DrawnNode& drawn) const {
     told.over = f64::over_at_vertex(place.w, told.slope, told.from_centre);
     told.iced = glm::mix(ice_in(means.y), ice_in(means.y + means.w), part);
     told.means = {means.x + part * means.z, means.y + part * means.w - ice_flag * told.iced};
-    told.footprint = footprint;
+    told.spacing = spacing;
     told.above = part;
     all.push_back(told);
   }

@@ -20,8 +20,8 @@ struct ToldGround {
   glm::dvec3 slope{0.0};        // of the ground that pixels go on with, over the unit sphere and along it
   glm::dvec2 means{0.0};        // mean and shape of Height
   double iced = 0.0;            // 0..1
-  double footprint = 0.0;       // of samples that all of a node's vertices tell the ground for, rad
-  double above = 0.0;           // part to which they do so for samples twice as far apart
+  double spacing = 0.0;         // of a node's vertices, rad
+  double above = 0.0;           // part to which they tell the ground as those of the level above do
 };
 
 // parts: of each, their sum 1.
@@ -29,9 +29,9 @@ ToldGround between(const ToldGround& a, const ToldGround& b, const ToldGround& c
 
 std::vector<glm::dvec3> places_of(const std::vector<ToldGround>& vertices);
 
-// told: at a place of a triangle; footprint: of the pixel, rad; octaves: the layers of noise end there. Returns the
-// place of the ground that the pixel shows for it, on the same ray from the eye.
-glm::dvec3 shown_place(const ToldGround& told, const f64::Terrain& terrain, const glm::dvec3& eye, double footprint,
+// told: at a place of a triangle; sample: angle between samples, rad; octaves: the layers of noise end there. Returns
+// the place of the ground that the pixel shows for it, on the same ray from the eye.
+glm::dvec3 shown_place(const ToldGround& told, const f64::Terrain& terrain, const glm::dvec3& eye, double sample,
                        int octaves);
 
 }  // namespace terrella

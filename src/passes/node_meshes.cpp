@@ -30,8 +30,6 @@ glm::vec4 vector(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v,
 
 }  // namespace
 
-NodeMeshes::NodeMeshes() : cache_(node_slots) {}
-
 void NodeMeshes::start_anew(const Frame& frame) {
   terrain_ = exact_terrain_of(frame.scene);
   cache_.clear();
@@ -40,12 +38,13 @@ void NodeMeshes::start_anew(const Frame& frame) {
 
 void NodeMeshes::make_room(const NodeGrid& grid, int cells) {
   if (patch_.cells == cells) return;
-  cache_.clear();
   patch_ = grid.patch(cells);
   const auto count = patch_.vertices.size();
-  for (std::size_t i = 0; i < textures_.size(); ++i) {
-    textures_.at(i) = std::make_unique<gl::Image>(static_cast<int>(count), node_slots, node_formats.at(i));
-  }
+  const int vertices_of_each = static_cast<int>(count), room = node_room(vertices_of_each);
+  const int beside = (room + node_rows - 1) / node_rows;
+  cache_ = NodeCache(room);
+  for (std::size_t i = 0; i < textures_.size(); ++i)
+    textures_.at(i) = std::make_unique<gl::Image>(beside * vertices_of_each, node_rows, node_formats.at(i));
   std::vector<glm::ivec2> vertices;
   for (std::size_t n = 0; n < count; ++n) vertices.emplace_back(n, patch_.vertices[n].touches);
   for (const std::uint16_t n : patch_.rim) vertices.emplace_back(n, -static_cast<int>(patch_.vertices[n].touches));
@@ -99,11 +98,14 @@ bool NodeMeshes::make(const Scene& scene, const GridNode& node) {
   if (is_full_) return false;
   const NodeFrame made = make_node(*grid_, patch_, node, *terrain_, vertices_);
   const int slot = *cache_.insert(node, made);
-  textures_[0]->set_row(slot, vertices_.place);
-  textures_[1]->set_row(slot, vertices_.coarser);
-  textures_[2]->set_row(slot, vertices_.slope);
-  textures_[3]->set_row(slot, vertices_.coarser_slope);
-  textures_[4]->set_row(slot, vertices_.means);
+  const int row = slot % node_rows, column = slot / node_rows * static_cast<int>(patch_.vertices.size());
+  textures_[0]->set_row(row, vertices_.place, column);
+  textures_[1]->set_row(row, vertices_.coarser, column);
+  textures_[2]->set_row(row, vertices_.slope, column);
+  textures_[3]->set_row(row, vertices_.coarser_slope, column);
+  textures_[4]->set_row(row, vertices_.shape_slope, column);
+  textures_[5]->set_row(row, vertices_.coarser_shape_slope, column);
+  textures_[6]->set_row(row, vertices_.means, column);
   noise_evaluations_ +=
       std::ssize(patch_.vertices) * std::int64_t{noise_per_height(scene, grid_->spacing(node.level, patch_.cells))};
   return true;
@@ -119,16 +121,15 @@ void NodeMeshes::pack(const Frame& frame) {
     const glm::dvec3& middle = entry.frame.outline.middle;
     const double base = entry.frame.base;
     const double spacing = grid_->spacing(entry.node.level, patch_.cells);
-    const double footprint = held_spacings * spacing;
     // Also by the level above.
     const int by_vertices =
-        octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, 2.0 * footprint);
+        octaves_below(0.25, terrain.frequency, terrain.lacunarity, terrain.octaves, f64::held_footprint(2.0 * spacing));
     const int held = std::max(by_vertices, beyond_map);
     instances_.push_back(vector((1.0 + base) * middle - frame.pose.eye, drawn.slot));
     instances_.push_back(vector(middle, base));
     instances_.push_back(vector(middle - eye_.direction, grid_->edge(entry.node.level)));
     instances_.push_back(vector((1.0 + sea_level) * middle - frame.pose.eye, base - sea_level));
-    instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), footprint);
+    instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), spacing);
   };
   const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
@@ -151,7 +152,7 @@ void NodeMeshes::pack(const Frame& frame) {
 void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
   if (heights_) heights_->bind(gl::unit_heights);
-  program.set("node_cells", patch_.cells);
+  program.set("node_vertices", static_cast<int>(patch_.vertices.size()));
   program.set("node_morph", static_cast<float>(ranges_.morph_begin()), static_cast<float>(ranges_.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
   for (std::size_t list = 0; list < patch_.lists(); ++list) {

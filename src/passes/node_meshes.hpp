@@ -16,20 +16,18 @@
 
 namespace terrella {
 
-// Kept at a time: a picture draws a hundred to a thousand; the rest is what it would draw from other places.
-inline constexpr int node_slots = 2048;
-
-// Of the textures that hold what NodeVertices has, in its order: a row a node, a texel a vertex.
+// Of the textures that hold what NodeVertices has, in its order: a texel a vertex. Rows hold nodes one after another,
+// no more of them than OpenGL ES 3.0 lets a texture have, and then on beside the first.
+inline constexpr int node_rows = 2048;
 inline constexpr std::array node_formats = {gl::Format::rgba32f, gl::Format::rgba32f, gl::Format::rgba16f,
-                                            gl::Format::rgba16f, gl::Format::rgba32f};
+                                            gl::Format::rgba16f, gl::Format::rgba16f, gl::Format::rgba16f,
+                                            gl::Format::rgba32f};
 
 // A node's instance, in vec4s.
 inline constexpr int vec4s_a_node = 5;
 
 class NodeMeshes {
  public:
-  NodeMeshes();
-
   // Takes memory for nodes of so many cells, which update would take else. grid: any of those that it will be asked
   // for.
   void make_room(const NodeGrid& grid, int cells);
@@ -63,7 +61,7 @@ class NodeMeshes {
     std::size_t first = 0, count = 0;
   };
 
-  NodeCache cache_;
+  NodeCache cache_{1};  // until there is room for more
   NodeChoice choice_;
   NodeEye eye_;
   NodeSight sight_;

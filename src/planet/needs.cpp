@@ -27,7 +27,7 @@ namespace {
 enum : int { model_none = 0, model_auto = 1, water_calm = 2, water_waves = 3 };
 
 // In the order of the choices of terrain.model.
-enum : int { ground_icosphere = 2, ground_quadtree = 5 };
+enum : int { ground_icosphere = 2, ground_triangle_lod = 4 };
 
 // A planet that is large for who stands on it, and whose mountains are low beside it.
 constexpr double real_radius = 10e3, real_relief = 0.02;  // m; planet radii
@@ -72,8 +72,9 @@ int sphere_level(double allowed) {
 }
 
 // About how far (pixels) flat triangles between the vertices of nodes miss the ground in all but a hundredth of places,
-// as steep as they are most of the way up; among the highest mountains it is more (tests/measure/node_errors_test.cpp).
-// apart: vertices to a distance.
+// as steep as they are most of the way up; among the highest mountains it is more. Pictures miss it by less, as pixels
+// go on to the ground that they know: by two thirds of that (tests/measure/node_errors_test.cpp). apart: vertices to a
+// distance.
 double error_of_nodes(const Scene& scene, double pixel_angle, double apart) {
   constexpr double of_deviation = 3.3, nearest = 1e-7, farthest = 2.0;  // planet radii
   double most = 0.0;
@@ -85,28 +86,40 @@ double error_of_nodes(const Scene& scene, double pixel_angle, double apart) {
   return most;
 }
 
+unsigned sides_of_nodes(Ground ground) { return ground == Ground::triangle_lod ? 3 : 4; }
+
 // How far apart vertices of nodes are, as a part of their distance.
 double part_between_vertices(double split, int cells) {
   constexpr double mean_distance = 1.4;  // of a node, of that at which it is split
   return 1.0 / (mean_distance * split * cells);
 }
 
+// How far from the eye nodes can be split, of those that there is room for: near the ground a view needs about so many
+// for each square of that (tests/measure/node_errors_test.cpp).
+double most_split(const Needs& needs) {
+  constexpr double of_triangles = 350.0, of_squares = 167.0;
+  const unsigned sides = sides_of_nodes(needs.ground);
+  const int room = node_room(vertices_of_patch(sides, needs.ground_cells));
+  return std::min(std::sqrt(room / (sides == 3 ? of_triangles : of_squares)), 3.5);
+}
+
 // Nodes of as few cells as show the ground in a picture of usual size. What picture is drawn in truth only tells how
 // far from the eye they are split: other cells would mean to make all of them anew, while a window is resized or its
 // view narrowed. Neither depends on where the eye is.
 void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
-  constexpr double most_split = 3.5, usual_pixel = 2.0 * 0.414 / 720.0;  // rad, of 45 degrees
+  constexpr double usual_pixel = 2.0 * 0.414 / 720.0;  // rad, of 45 degrees
   const auto is_enough = [&](double split, int cells, double pixel_angle) {
     return error_of_nodes(scene, pixel_angle, part_between_vertices(split, cells)) <= scene.quality.pixel_error;
   };
-  const double least = least_split(needs.ground == Ground::triangle_lod ? 1.0 : std::numbers::sqrt2);
+  const double least = least_split(sides_of_nodes(needs.ground) == 3 ? 1.0 : std::numbers::sqrt2);
   for (int cells = least_cells; cells <= most_cells; cells += 2) {
     needs.ground_cells = cells;
     if (is_enough(least, cells, usual_pixel)) break;
   }
   needs.ground_split = least;
-  while (needs.ground_split < most_split && !is_enough(needs.ground_split, needs.ground_cells, pose.pixel_angle)) {
-    needs.ground_split += 0.25;
+  const double most = most_split(needs);
+  while (needs.ground_split < most && !is_enough(needs.ground_split, needs.ground_cells, pose.pixel_angle)) {
+    needs.ground_split += 0.0625;
   }
 }
 
@@ -124,8 +137,9 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   decide.add("ground.finest", needs.ground_finest * scene.planet.radius,
              "m between vertices, which shows the finest layer of noise: no closer anywhere");
   constexpr double coarsest_spacing = 0.2;  // about that of undivided nodes of the fewest cells
-  needs.ground_spacing = std::clamp(part_between_vertices(needs.ground_split, needs.ground_cells) * pose.clearance,
-                                    std::min(needs.ground_finest, coarsest_spacing), coarsest_spacing);
+  needs.ground_spacing =
+      std::clamp(part_between_vertices(needs.ground_split, needs.ground_cells) * lift_over(pose.clearance),
+                 std::min(needs.ground_finest, coarsest_spacing), coarsest_spacing);
   needs.pixel_octaves_end = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves,
                                             std::max(footprint_below(scene, pose), finest_footprint));
   decide.add("ground.pixel_octaves", needs.pixel_octaves_end, "pixels add those that vertices can't hold");
@@ -150,8 +164,7 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
              : needs.ground == Ground::icosphere
                  ? "a miniature: one mesh shows all of it"
                  : "the planet is of real size, from 10 km of radius on with mountains below a fiftieth of it: of the "
-                   "three ways to divide it the one with the fewest nodes, and with room for a pixel's error from "
-                   "everywhere");
+                   "three ways to divide it the one with the fewest triangles for the same error, and the fastest");
   decide_map(needs, scene, decide);
   if (has_real_size && has_nodes(needs.ground)) return decide_nodes(needs, scene, pose, decide);
 
@@ -401,7 +414,7 @@ bool lacks_real_size(const Scene& scene) { return !has_real_size && asks_for_rea
 Ground ground_technique(const Scene& scene) {
   if (scene.terrain.model == model_none) return Ground::none;
   if (!has_real_size || !asks_for_real_size(scene)) return Ground::icosphere;
-  const int model = scene.terrain.model == model_auto ? ground_quadtree : scene.terrain.model;
+  const int model = scene.terrain.model == model_auto ? ground_triangle_lod : scene.terrain.model;
   return static_cast<Ground>(model - ground_icosphere + static_cast<int>(Ground::icosphere));
 }
 

@@ -17,6 +17,7 @@ struct Vertex {
   double height;
   double over;  // the ground that pixels go on with
   glm::dvec4 slope;
+  glm::dvec4 shape_slope;
   glm::dvec2 means;
 };
 
@@ -24,19 +25,20 @@ struct Vertex {
 Vertex vertex_of(const glm::dvec3& direction, const glm::dvec3& middle, const f64::Height& shown,
                  const f64::Height& held) {
   const f64::Height& look = shown.iced ? shown : held;
-  const glm::dvec3 along = look.gradient - glm::dot(look.gradient, direction) * direction;
+  const auto along = [&](const glm::dvec3& gradient) { return gradient - glm::dot(gradient, direction) * direction; };
   return {direction - middle + shown.value * direction,
           shown.value,
           shown.iced || held.iced ? 0.0 : shown.value - held.value,
-          glm::dvec4(along, look.relief),
+          glm::dvec4(along(look.gradient), look.relief),
+          glm::dvec4(along(look.shape_gradient), 0.0),
           {held.mean, held.shape + (shown.iced ? ice_flag : 0.0)}};
 }
 
 // On the straight edge between both. Pixels find on it the ground and the sphere that bend above it
 // (lib/finer_ground.glsl), and are to find the same on both halves.
 Vertex between(const Vertex& a, const Vertex& b) {
-  Vertex v = {0.5 * (a.place + b.place), 0.5 * (a.height + b.height), 0.5 * (a.over + b.over),
-              0.5 * (a.slope + b.slope), 0.5 * (a.means + b.means)};
+  Vertex v = {0.5 * (a.place + b.place), 0.5 * (a.height + b.height),           0.5 * (a.over + b.over),
+              0.5 * (a.slope + b.slope), 0.5 * (a.shape_slope + b.shape_slope), 0.5 * (a.means + b.means)};
   const auto twice_over = [](const Vertex& of) {
     return 2.0 * of.over + glm::dot(glm::dvec3(of.slope) - of.place, of.place);
   };
@@ -55,17 +57,17 @@ Levels vertices_of(const NodeGrid& grid, const NodePatch& patch, const GridNode&
   levels.own.reserve(patch.vertices.size());
   levels.above.resize(patch.vertices.size());
   const auto is_of_above = [&](std::size_t n) { return patch.vertices[n].from == n; };
-  static_assert(held_spacings == 2.0);  // so that what is held is what the level above shows
   const double spacing = grid.spacing(node.level, patch.cells);
-  const std::array<double, 3> footprints = {spacing, 2.0 * spacing, 4.0 * spacing};
-  std::array<f64::Height, 3> heights;
+  const std::array<double, 4> footprints = {spacing, f64::held_footprint(spacing), 2.0 * spacing,
+                                            f64::held_footprint(2.0 * spacing)};
+  std::array<f64::Height, 4> heights;
   for (std::size_t n = 0; n < patch.vertices.size(); ++n) {
     const glm::dvec3 direction = grid.vertex_direction(node, patch.vertices[n].i, patch.vertices[n].j, patch.cells);
-    heights_at(direction, terrain, std::span(footprints).first(is_of_above(n) ? 3 : 2), heights);
-    const auto& [own, above, far] = heights;
-    levels.own.push_back(vertex_of(direction, middle, own, above));
+    heights_at(direction, terrain, std::span(footprints).first(is_of_above(n) ? 4 : 2), heights);
+    const auto& [own, held, above, held_above] = heights;
+    levels.own.push_back(vertex_of(direction, middle, own, held));
     // Nothing is above the first level: it keeps its shape.
-    if (is_of_above(n)) levels.above[n] = vertex_of(direction, middle, node.level > 0 ? above : own, far);
+    if (is_of_above(n)) levels.above[n] = vertex_of(direction, middle, node.level > 0 ? above : own, held_above);
   }
   for (std::size_t n = 0; n < patch.vertices.size(); ++n) {
     if (is_of_above(n)) continue;
@@ -97,7 +99,8 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
   frame.heights = heights_around(terrain, computed, spacing, std::max(0.7072, 0.5 * grid.reach()) * spacing,
                                  may_freeze(terrain.ice, middle, frame.outline.half_width));
   const glm::dvec3 lift = frame.base * middle;
-  for (auto* list : {&vertices.place, &vertices.coarser, &vertices.slope, &vertices.coarser_slope, &vertices.means})
+  for (auto* list : {&vertices.place, &vertices.coarser, &vertices.slope, &vertices.coarser_slope,
+                     &vertices.shape_slope, &vertices.coarser_shape_slope, &vertices.means})
     list->clear();
   for (std::size_t n = 0; n < levels.own.size(); ++n) {
     const Vertex &own = levels.own[n], &above = levels.above[n];
@@ -105,6 +108,8 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
     vertices.coarser.emplace_back(glm::dvec4(above.place - own.place, above.over - own.over));
     vertices.slope.emplace_back(own.slope);
     vertices.coarser_slope.emplace_back(above.slope - own.slope);
+    vertices.shape_slope.emplace_back(own.shape_slope);
+    vertices.coarser_shape_slope.emplace_back(above.shape_slope - own.shape_slope);
     vertices.means.emplace_back(glm::dvec4(own.means, above.means - own.means));
   }
   return frame;

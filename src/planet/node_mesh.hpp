@@ -19,10 +19,12 @@ struct NodeVertices {
   // xyz: from the node's centre; w: height over the ground that pixels go on with, which on ice is the ice
   std::vector<glm::vec4> place;
   std::vector<glm::vec4> coarser;  // what is to be added to them
-  // Of what pixels go on with, which is the ground that vertices held_spacings times as far apart would show. xyz:
+  // Of what pixels go on with, which is the ground that samples held_footprint apart show. xyz:
   // gradient of the height, along the sphere, none on ice; w: relief of Height
   std::vector<glm::vec4> slope;
   std::vector<glm::vec4> coarser_slope;
+  std::vector<glm::vec4> shape_slope;  // xyz: what of the gradient comes of the shape of Height
+  std::vector<glm::vec4> coarser_shape_slope;
   // xy: mean and shape of Height, to which ice_flag is added where ice lies, and half of it midway between ice and
   // none; zw: what is to be added to them
   std::vector<glm::vec4> means;
@@ -30,10 +32,6 @@ struct NodeVertices {
 
 // More than twice what shapes are.
 inline constexpr double ice_flag = 8.0;
-
-// The finest layer that vertices show bends too much from one to the next for pixels to find it on a straight line
-// between them: those take from vertices only what has twice as many to each of its waves, and add the rest.
-inline constexpr double held_spacings = 2.0;
 
 // A node's place in the world.
 struct NodeFrame {

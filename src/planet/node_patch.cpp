@@ -1,5 +1,7 @@
 #include "planet/node_patch.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 
 namespace terrella {
@@ -48,6 +50,11 @@ void add_skirt(const NodePatch& patch, unsigned left_out, std::vector<std::uint1
 }
 
 }  // namespace
+
+int node_room(int vertices) {
+  constexpr int least = 2048, most = 4096, of_largest = vertices_of_patch(4, 28);
+  return std::clamp(least * of_largest / vertices, least, most);
+}
 
 NodePatch square_patch(int cells) {
   CHECK(cells > 0 && cells % 2 == 0, cells);

@@ -35,6 +35,16 @@ struct NodePatch {
   [[nodiscard]] std::size_t vertices_with_rim() const { return vertices.size() + rim.size(); }
 };
 
+// Vertices of a patch that has so many sides, and cells along each.
+constexpr int vertices_of_patch(unsigned sides, int cells) {
+  return sides == 3 ? (cells + 1) * (cells + 2) / 2 : (cells + 1) * (cells + 1);
+}
+
+// Nodes that are kept at a time, of so many vertices each: as many as take no more memory than 2,048 of the largest
+// patch, and at the most 4,096. A picture draws a hundred to a thousand; the rest is what it would draw from other
+// places.
+int node_room(int vertices);
+
 // Of squares: i along x, j along y, which turn clockwise from outside; sides left, right, bottom, top; corners where
 // both are least, x is most, y is most, both are. cells: even, > 0.
 NodePatch square_patch(int cells);

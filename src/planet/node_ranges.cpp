@@ -8,6 +8,8 @@
 
 namespace terrella {
 
+double lift_over(double nearest) { return nearest * std::sqrt(1.0 + 3.0 / (1.0 + 50.0 * nearest)); }
+
 NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose) {
   constexpr int rings = 8, spokes = 8;
   const double distance = glm::length(pose.eye);
@@ -28,7 +30,7 @@ NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose) {
     }
   }
   // From afar a chord is seen under a greater angle than its distance tells, by the root of this.
-  return {up, nearest / std::sqrt(std::max(distance, 1.0))};
+  return {up, lift_over(nearest) / std::sqrt(std::max(distance, 1.0))};
 }
 
 }  // namespace terrella

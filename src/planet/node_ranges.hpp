@@ -12,12 +12,18 @@
 namespace terrella {
 
 // An eye over a ground of nodes. Its distance to a place of the ground is told from the place's direction, whatever the
-// ground's height there: sqrt(lift^2 + chord^2), the chord from the direction of the eye. With the lift of a smooth
-// sphere that is in proportion to the true distance; with the ground nearest to the eye it is nowhere much greater.
+// ground's height there: sqrt(lift^2 + chord^2), the chord from the direction of the eye. The lift is how far the
+// nearest ground is away (lift_over), so that nodes far from below the eye are divided by how far they are, those below
+// it as if they were farther.
 struct NodeEye {
   glm::dvec3 direction{0.0};  // unit
   double lift = 0.0;
 };
+
+// Who looks down on ground sees its heights foreshortened, and so what triangles miss of them. nearest: distance of the
+// nearest ground. Returns twice as much from close by, and about the same from afar, where an outline lies at an angle
+// from which it is seen from the side: its triangles come out larger by an eighth at the most.
+double lift_over(double nearest);
 
 // From heights around the place below the eye.
 NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose);

@@ -89,8 +89,8 @@ const Place places[] = {
     {"from_100_m", -41.3, 131.5, 100.0, -6.0, 36.2, 0.0136, 0.0011, 0.0087, 4.6, 40.1},
     {"from_1_km", -41.3, 131.5, 1e3, -8.0, 33.1, 0.0142, 0.0009, 0.012, 3.7, 34.3},
     {"from_10_km", -41.3, 131.5, 1e4, -12.0, 35.8, 0.0119, 0.0011, 0.0086, 3.2, 36.9},
-    {"from_100_km", -41.3, 131.5, 1e5, -20.0, 38.3, 0.0081, 0.0008, 0.0065, 2.7, 42.3},
-    {"from_1000_km", -41.3, 131.5, 1e6, -45.0, 44.0, 0.0051, 0.0006, 0.002, 0.9, 49.7},
+    {"from_100_km", -41.3, 131.5, 1e5, -20.0, 38.3, 0.0081, 0.0008, 0.0065, 2.7, 42.1},
+    {"from_1000_km", -41.3, 131.5, 1e6, -45.0, 43.5, 0.0051, 0.0006, 0.002, 0.9, 47.8},
     {"from_10000_km", -41.3, 131.5, 1e7, -90.0, 47.0, 0.0023, 0.0006, 0.001, 0.068, 51.5},
     {"from_40000_km", -41.3, 131.5, 4e7, -90.0, 55.0, 0.0008, 0.0007, 0.003, 0.13, 71.5},
     {"at_a_pole", 90.0, 10.0, 1e4, -20.0, 80.0, 0.0007, 0.0003, 0.0002, 0.031, 80.0},
@@ -139,13 +139,13 @@ struct OverCraters {
 };
 
 // Craters pass from pixels to vertices as one comes nearer. In so few pixels vertices stand as near to each other as
-// pixels do, so that the reference tells those small craters apart that pixels leave out.
+// pixels do, and the reference tells those small craters apart that pixels leave out.
 TEST(GroundsWithCraters, ShowThemFromOrbitToTheRimOfOne) {
   if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
-  // Measured: 43.0 to 43.8, 40.6 to 42.1, 39.7 to 40.8.
-  for (const OverCraters& view : {OverCraters{3e6, -90.0, 42.6}, {1e5, -14.0, 40.2}, {5e3, -12.0, 39.3}}) {
+  // Measured: 43.0 to 44.2, 39.5 to 39.8, 38.5 to 38.8.
+  for (const OverCraters& view : {OverCraters{3e6, -90.0, 42.6}, {1e5, -14.0, 39.2}, {5e3, -12.0, 38.2}}) {
     const Scene scene = moon_ground(view.clearance, view.pitch);
     const test::Exact exact(scene);
     for (const Ground ground : ground_models()) {

@@ -98,6 +98,52 @@ TEST(FinerGround, IsNotLookedForFarAway) {
   }
 }
 
+// Each layer of noise bends by that much: its slope changes so fast.
+TEST(FinerGround, IsOfLayersThatBend) {
+  constexpr int places = 10'000;
+  constexpr double step = 1e-4;
+  int within = 0;
+  for (int i = 0; i < places; ++i) {
+    const glm::dvec3 place(0.37 * i, 0.73 * i, 1.91 * i);
+    const glm::ivec3 cell(glm::floor(place));
+    const auto slope = [&](double x) {
+      return 0.5 * f64::simplex_noise(cell, place - glm::dvec3(cell) + glm::dvec3(x, 0.0, 0.0), 7U).gradient.x;
+    };
+    if (std::abs(slope(step) - slope(-step)) <= f64::layer_bend * 2.0 * step) ++within;
+  }
+  EXPECT_NEAR(within, 0.9 * places, 0.02 * places);
+}
+
+// A step past hills is known as far as these bend, and a ray that has not come down to the ground has not met it.
+TEST(FinerGround, IsDoubtedAsFarAsItBends) {
+  const glm::dvec3 ray = glm::normalize(glm::dvec3(1.0, 0.0, -1.0));
+  const f64::Noise flat = {0.0, glm::dvec3(0.0)};
+  const double footprint = 1e-6;
+  for (const double over : {1e-9, 3e-5}) {
+    f64::FinerGround ground = ground_under(ray, over, footprint);
+    EXPECT_EQ(f64::part_in_doubt(ground, footprint), over < 1e-6 ? 0.0 : 1.0);
+    f64::add_finer_layer(ground, terrain(), 5, 3200.0, 0.03, flat);
+    f64::go_on(ground, 1.0);
+    const double all = f64::all_layers_of(terrain()), moved = glm::length(f64::moved(ground));
+    const double bends = 1e-3 * 0.03 / all * f64::layer_bend * 3200.0 * 3200.0;
+    EXPECT_NEAR(ground.bent, 0.5 * bends * moved * moved, 1e-12 * over) << over;
+    EXPECT_EQ(f64::part_in_doubt(ground, footprint), over < 1e-6 ? 0.0 : 1.0) << over;
+  }
+}
+
+// Where a ray begins once more it knows the same of what the vertices tell, and looks up the rest where it is now.
+TEST(FinerGround, IsLookedForOnceMoreFromWhereTheRayEnded) {
+  const glm::dvec3 ray = glm::normalize(glm::dvec3(1.0, 0.0, -1.0));
+  const f64::FinerGround begun = ground_under(ray, 1e-5);
+  f64::FinerGround again = f64::once_more(begun, 3e-6);
+  EXPECT_EQ(f64::moved(again), 3e-6 * begun.ray.along);
+  f64::go_on(again, 1.0);
+  f64::FinerGround first = begun;
+  f64::go_on(first, 1.0);
+  EXPECT_NEAR(again.ray.way, first.ray.way, 1e-18);
+  EXPECT_EQ(again.bent, 0.0);
+}
+
 // A layer's value and slope are those of the sum that it belongs to.
 TEST(FinerGround, KnowsTheLayersThatAreAdded) {
   const f64::Noise noise = {0.3, {0.5, -1.0, 2.0}};

@@ -172,13 +172,41 @@ TEST(NodeMesh, TellsTheMeansOfTheGroundThatPixelsGoOnWith) {
   const GridNode node = {0, 3, 2, 5};
   NodeVertices vertices;
   make_node(grid, patch, node, terrain, vertices);
-  const double footprint = held_spacings * grid.spacing(node.level, patch.cells);
+  const double footprint = f64::held_footprint(grid.spacing(node.level, patch.cells));
   const std::vector<glm::dvec3> directions = test::directions_of(grid, patch, node);
   for (std::size_t n = 0; n < vertices.means.size(); ++n) {
     const glm::dvec4 means = vertices.means[n];
     const double height = f64::terrain_height_at(directions[n], terrain, footprint).value;
     EXPECT_NEAR(f64::relief_of(terrain, means.x, means.y).value, height, 1e-6 * terrain.height) << n;
   }
+}
+
+// What of their slopes comes of which mean: each changes in another way where pixels add to both.
+TEST(NodeMesh, TellsWhatOfItsSlopesComesOfRanges) {
+  const f64::Terrain terrain = exact_terrain_of(find_preset("blue")->scene);
+  const CubeGrid grid;
+  const NodePatch patch = grid.patch(8);
+  NodeVertices vertices;
+  double steepest = 0.0;
+  for (std::uint32_t x = 4; x < 256; x += 24) {
+    const GridNode node = {0, 8, x, 150};
+    make_node(grid, patch, node, terrain, vertices);
+    const double footprint = f64::held_footprint(grid.spacing(node.level, patch.cells));
+    const std::vector<glm::dvec3> directions = test::directions_of(grid, patch, node);
+    for (std::size_t n = 0; n < directions.size(); ++n) {
+      const glm::dvec3 up = directions[n], along = f64::perpendicular(up);
+      const auto shape_at = [&](double aside) {
+        return f64::terrain_height_at(glm::normalize(up + aside * along), terrain, footprint).shape;
+      };
+      constexpr double step = 1e-7;
+      const double by_shape = f64::relief_of(terrain, vertices.means[n].x, vertices.means[n].y).by_shape;
+      const double slope = by_shape * (shape_at(step) - shape_at(-step)) / (2.0 * step);
+      if (vertices.means[n].y >= 4.0F) continue;  // ice
+      EXPECT_NEAR(glm::dot(glm::dvec3(vertices.shape_slope[n]), along), slope, 1e-6);
+      steepest = std::max(steepest, std::abs(slope));
+    }
+  }
+  EXPECT_GT(steepest, 1e-4);
 }
 
 // Half of it is where a vertex is midway between one that is ice and one that is not.

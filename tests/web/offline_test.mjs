@@ -67,13 +67,13 @@ describe('the page, visited again', () => {
     assert.equal(await holdsRealSize(page), false);
     const few = '&panel=0&pause=1&quality.pixel_error=4&quality.resolution_scale=0.5';
     await page.evaluate(scene => terrella.load(scene), '?preset=blue' + few);
-    await until(page, () => terrella.stats().slots.ground === 'quadtree');
+    await until(page, () => terrella.stats().slots.ground === 'triangle_lod');
     while (!await holdsRealSize(page)) await sleep(100);
     own.server.close();
     await page.context().setOffline(true);
     await page.goto(own.server.url + 'index.html?preset=blue' + few);
     await page.evaluate(() => terrella.ready);
-    assert.equal(await page.evaluate(() => terrella.stats().slots.ground), 'quadtree');
+    assert.equal(await page.evaluate(() => terrella.stats().slots.ground), 'triangle_lod');
     await page.context().close();
   });
 

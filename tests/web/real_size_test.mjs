@@ -17,12 +17,12 @@ function programsAsked(page) {
 }
 
 const ground = page => page.evaluate(() => terrella.stats().slots.ground);
-const drawsNodes = page => until(page, () => terrella.stats().slots.ground === 'quadtree' && terrella.stats().frames > 0);
+const drawsNodes = page => until(page, () => terrella.stats().slots.ground === 'triangle_lod' && terrella.stats().frames > 0);
 
 describe('a planet of real size', () => {
   test('is drawn as such from its link, from orbit and near the ground', async () => {
     const page = await open('?preset=blue&panel=0' + quick);
-    assert.equal(await ground(page), 'quadtree');
+    assert.equal(await ground(page), 'triangle_lod');
     const orbit = await look(page);
     assert.ok(orbit.brightness > 0.03 && orbit.colors > 500, JSON.stringify(orbit));
     await page.evaluate(() => terrella.load('preset=highlands&clouds.model=none&quality.pixel_error=4'));
@@ -78,7 +78,7 @@ describe('a planet of real size', () => {
     const page = await open('?panel=0&terrain.model=none' + quick);
     await page.mouse.move(160, 120);
     await page.mouse.down();
-    await page.evaluate(() => terrella.set('terrain.model', 'quadtree'));
+    await page.evaluate(() => terrella.set('terrain.model', 'triangle_lod'));
     await sleep(1500);
     await page.mouse.move(120, 120, { steps: 4 });
     const held = await page.evaluate(() => terrella.get('camera.longitude'));
@@ -100,7 +100,7 @@ describe('a planet of real size', () => {
       return [ground, picture.width];
     });
     assert.deepEqual([before, after], ['icosphere', 64]);
-    assert.equal(await ground(page), 'quadtree');
+    assert.equal(await ground(page), 'triangle_lod');
     await page.context().close();
   });
 
@@ -143,7 +143,7 @@ describe('a planet of real size', () => {
     assert.equal(await page.evaluate(() => window.groundWhenReady), undefined);
     letIn();
     await page.evaluate(() => terrella.ready);
-    assert.equal(await page.evaluate(() => window.groundWhenReady), 'quadtree');
+    assert.equal(await page.evaluate(() => window.groundWhenReady), 'triangle_lod');
     await page.context().close();
   });
 
