@@ -81,9 +81,9 @@ describe('a planet of real size', () => {
     await page.evaluate(() => terrella.set('terrain.model', 'triangle_lod'));
     await sleep(1500);
     await page.mouse.move(120, 120, { steps: 4 });
+    await sleep(300);  // drawn, and no throw
     const held = await page.evaluate(() => terrella.get('camera.longitude'));
     assert.equal(await ground(page), 'icosphere');
-    await sleep(300);  // no throw
     await page.mouse.up();
     await drawsNodes(page);
     assert.equal(await page.evaluate(() => terrella.get('camera.longitude')), held);
