@@ -12,6 +12,7 @@ namespace terrella {
 namespace {
 
 constexpr double wheel_zoom = 1.18;    // a notch
+constexpr double long_ago = 1.0;       // s
 constexpr int frames_until_focus = 6;  // a panel that was hidden appears, then a field of it gets the keyboard
 
 }  // namespace
@@ -37,7 +38,8 @@ void Session::pointer_button(Button button, bool down) {
   tab_leads_out_ = false;
   if (down) pressed_on_panel_ = panel_shown_ && ImGui::GetIO().WantCaptureMouse;
   if (!down) {
-    if (drag_ == Drag::turn) camera_.release(now_ - last_drag_time_);
+    // Where nothing is drawn any more, the clock of frames stands: the hand has held still before it lets go.
+    if (drag_ == Drag::turn) camera_.release(at_rest_ ? long_ago : now_ - last_drag_time_);
     drag_ = Drag::none;
     return;
   }

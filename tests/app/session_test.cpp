@@ -281,6 +281,19 @@ TEST_F(SessionTest, ADragOfThePlanetIsUndoneAndRedoneByKeys) {
   EXPECT_EQ(longitude(), dragged);
 }
 
+// The clock of frames stands while nothing is drawn.
+TEST_F(SessionTest, AHandThatHasHeldStillUntilNothingIsDrawnThrowsNothing) {
+  settle();
+  session.pointer_moved(40.0, 25.0);
+  session.pointer_button(Button::left, true);
+  for (int i = 1; i < 5; ++i) session.pointer_moved(40.0 + 3.0 * i, 25.0);
+  settle();
+  const double held = longitude();
+  session.pointer_button(Button::left, false);
+  frames(20);
+  EXPECT_EQ(longitude(), held);
+}
+
 TEST_F(SessionTest, APlanetThatStillRunsOnIsUndoneWithItsThrow) {
   settle();
   const double start = longitude();

@@ -80,13 +80,18 @@ describe('a planet of real size', () => {
     await page.mouse.down();
     await page.evaluate(() => terrella.set('terrain.model', 'triangle_lod'));
     await sleep(1500);
+    const longitude = () => page.evaluate(() => terrella.get('camera.longitude'));
+    const before = await longitude();
     await page.mouse.move(120, 120, { steps: 4 });
-    await sleep(300);  // drawn, and no throw
-    const held = await page.evaluate(() => terrella.get('camera.longitude'));
+    let held;
+    do {  // until the page has drawn all of it: no throw
+      held = await longitude();
+      await sleep(300);
+    } while (held === before || held !== await longitude());
     assert.equal(await ground(page), 'icosphere');
     await page.mouse.up();
     await drawsNodes(page);
-    assert.equal(await page.evaluate(() => terrella.get('camera.longitude')), held);
+    assert.equal(await longitude(), held);
     assert.deepEqual(page.wrong, []);
     await page.context().close();
   });
