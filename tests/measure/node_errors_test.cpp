@@ -63,17 +63,21 @@ TEST(NodeErrors, GrowAsNodesAreCoarser) {
   EXPECT_GT(before, 2.0 * first);
 }
 
-// Rays of pixels go on from triangles to the ground. Measured: medians of 0.11, 0.09, 0.09, 0.07 and 0.07 pixels beside
-// 0.61, 0.63, 0.73, 0.50 and 0.48 of triangles; 95 of 100 are within 0.9 to 1.35 beside 1.8 to 2.3.
+// Rays of pixels go on from triangles to the ground. Measured: medians of 0.05, 0.04, 0.04, 0.05 and 0.09 pixels beside
+// 0.65, 0.71, 0.83, 0.53 and 0.49 of triangles; 95 of 100 are within 0.47 to 0.65 beside 1.8 to 2.7.
 TEST(NodeErrors, AreLessOfThePictureThanOfItsTriangles) {
   if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   for (const double altitude : {10.0, 100.0, 1e3, 1e4, 1e5}) {
     Scene scene = seen_from({find_preset("blue")->scene, "blue"}, altitude);
     scene.quality.pixel_error = 2.0;
     const std::vector<NodeError> errors = node_errors(NodePicture(scene, view_of(1920, 1080)), 4000, 0.5);
-    EXPECT_LT(percentile(errors, &NodeError::seen, 0.5), 0.25 * percentile(errors, &NodeError::upright, 0.5))
+    if (std::getenv("TERRELLA_PRINT") != nullptr)
+      std::printf("%8g m: %.3f of %.3f, %.2f of %.2f px\n", altitude, percentile(errors, &NodeError::seen, 0.5),
+                  percentile(errors, &NodeError::upright, 0.5), percentile(errors, &NodeError::seen, 0.95),
+                  percentile(errors, &NodeError::upright, 0.95));
+    EXPECT_LT(percentile(errors, &NodeError::seen, 0.5), 0.2 * percentile(errors, &NodeError::upright, 0.5))
         << altitude;
-    EXPECT_LT(percentile(errors, &NodeError::seen, 0.95), 0.7 * percentile(errors, &NodeError::upright, 0.95))
+    EXPECT_LT(percentile(errors, &NodeError::seen, 0.95), 0.4 * percentile(errors, &NodeError::upright, 0.95))
         << altitude;
   }
 }
@@ -83,10 +87,10 @@ struct Case {
   double most;  // pixels, in 99 of 100 places
 };
 
-// What needs_of takes for the error of nodes (error_of_nodes in src/planet/needs.cpp) beside the ground itself, with
-// quality.pixel_error 0.75. Measured among mountains of blue 0.97 and of highlands, whose nodes are split as far as any
-// are, 3.4; on plains of giant 0.56.
-const Case cases[] = {{"blue", 1.05}, {"highlands", 3.7}, {"giant", 0.6}};
+// What needs_of takes for the error of nodes' triangles (error_of_nodes in src/planet/needs.cpp) beside the ground
+// itself, with quality.pixel_error 0.75. Measured among mountains of blue 1.02 and of highlands, whose nodes are split
+// as far as there is room for, 3.7; on plains of giant 0.31.
+const Case cases[] = {{"blue", 1.1}, {"highlands", 3.9}, {"giant", 0.4}};
 
 TEST(NodeErrors, AreAboutThoseOfQualityPixelError) {
   if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
