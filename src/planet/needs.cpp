@@ -132,7 +132,8 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   decide.add("ground.split", needs.ground_split,
              "edges of a node within which it is split in four: more where its cells are not enough for the picture");
   const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
-  needs.ground_finest = std::max(0.125 / finest, 2.0 * finest_footprint);
+  // Flat triangles so small miss the finest hills by less than a ten thousandth of their height, also for who stands there.
+  needs.ground_finest = std::max(0.008 / finest, 2.0 * finest_footprint);
   if (terrain.map.map) needs.ground_finest = std::min(needs.ground_finest, 0.5 * terrain.map.map->texel());
   decide.add("ground.finest", needs.ground_finest * scene.planet.radius,
              "m between vertices, which shows the finest layer of noise: no closer anywhere");
