@@ -102,8 +102,8 @@ float doubt_of(FinerGround g) {
   return (abs(g.ray.over) + g.bent) * length(g.ray.along);
 }
 
-// How much (0..1) a second ray is to count, which begins once more: from a tenth of a sample's width of doubt on, and
-// wholly from 0.43 on: a step would show where levels of detail change. across: that width, radii.
+// How much (0..1) a second ray is to count, which begins once more: from a twentieth of a sample's width of doubt on, and
+// wholly from 0.3 on: a step would show where levels of detail change. across: that width, radii.
 float part_in_doubt(FinerGround g, float across) {
   return clamp(4.0 * doubt_of(g) / across - 0.2, 0.0, 1.0);
 }
@@ -158,6 +158,9 @@ void add_to_shape(inout FinerGround g, float value, vec3 gradient) {
 // How much a layer that is no ridge bends, in its cells, in nine of ten places at the most (tests/laws/finer_ground_test.cpp).
 const float layer_bend = 8.0;
 
+// About the same of the rims and bowls of craters, in their cells.
+const float crater_bend = 10.0;
+
 // Layer i of the ground's noise. amplitude: of what of it is added; n: at the place to which the ray has moved.
 void add_finer_layer(inout FinerGround g, Terrain t, int i, float frequency, float amplitude, Noise n) {
   float added = amplitude * (layer_value(n.value, t.ridged, t.sharpness) - layer_mean(t.ridged));
@@ -178,7 +181,7 @@ void add_finer_craters(inout FinerGround g, Terrain t, vec3 direction, int i, fl
   float dug = 0.0;
   vec3 slope = vec3(0.0);
   add_craters_of_size(normalize(direction + moved(g)), i, frequency, t.craters.seed, t.craters.depth * shown, dug, slope);
-  g.curvature += g.rise_of_mean / t.height * t.craters.depth * shown * 10.0 * frequency;
+  g.curvature += g.rise_of_mean / t.height * t.craters.depth * shown * crater_bend * frequency;
   add_to_mean(g, dug / t.height, slope / t.height);
   g.relief += g.all_layers / t.height * dug * t.craters.frequency;
 }

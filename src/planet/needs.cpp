@@ -94,8 +94,8 @@ double part_between_vertices(double split, int cells) {
   return 1.0 / (mean_distance * split * cells);
 }
 
-// How far from the eye nodes can be split, of those that there is room for: near the ground a view needs about so many
-// for each square of that (tests/measure/node_errors_test.cpp).
+// How far from the eye nodes can be split, of those that there is room for: eyes at the ground, which need most, need
+// about so many for each square of that.
 double most_split(const Needs& needs) {
   constexpr double of_triangles = 350.0, of_squares = 167.0;
   const unsigned sides = sides_of_nodes(needs.ground);
@@ -132,7 +132,8 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
   decide.add("ground.split", needs.ground_split,
              "edges of a node within which it is split in four: more where its cells are not enough for the picture");
   const double finest = terrain.frequency * std::pow(terrain.lacunarity, std::max(terrain.octaves - 1, 0));
-  // Flat triangles so small miss the finest hills by less than a ten thousandth of their height, also for who stands there.
+  // Flat triangles so small miss the finest hills by less than a ten thousandth of their height, also for who stands
+  // there.
   needs.ground_finest = std::max(0.008 / finest, 2.0 * finest_footprint);
   if (terrain.map.map) needs.ground_finest = std::min(needs.ground_finest, 0.5 * terrain.map.map->texel());
   decide.add("ground.finest", needs.ground_finest * scene.planet.radius,

@@ -22,7 +22,7 @@ struct NodeEye {
 
 // Who looks down on ground sees its heights foreshortened, and so what triangles miss of them. nearest: distance of the
 // nearest ground. Returns twice as much from close by, and about the same from afar, where an outline lies at an angle
-// from which it is seen from the side: its triangles come out larger by an eighth at the most.
+// from which it is seen from the side: its triangles come out larger by a fiftieth at the most.
 double lift_over(double nearest);
 
 // From heights around the place below the eye.
