@@ -115,7 +115,7 @@ TEST_P(NodeHorizons, LeaveOutOnlyWhatNothingIsSeenOf) {
   EXPECT_GT(looked_at, 200);
 }
 
-// From 10 m among mountains more than a third of the nodes are hidden.
+// From 10 m among mountains a third of the nodes is hidden: 0.33 of the quadtree's, 0.34 and 0.35 of the others.
 TEST_P(NodeHorizons, HideMuchAmongMountains) {
   Scene scene = with_ground(ranges(), GetParam());
   View view;
@@ -123,7 +123,7 @@ TEST_P(NodeHorizons, HideMuchAmongMountains) {
   view.height = 270;
   Places places(7);
   std::size_t drawn = 0, hidden = 0;
-  for (int n = 0; n < (test::sanitized ? 2 : 8); ++n) {
+  for (int n = 0; n < 8; ++n) {
     stand_somewhere(scene, places);
     const double surface = surface_radius(scene, direction_of(scene.camera.latitude, scene.camera.longitude));
     scene.camera.altitude = (surface - 1.0) * scene.planet.radius + 10.0;
