@@ -39,7 +39,7 @@ NodePicture::NodePicture(const Scene& scene, const View& view)
   for (const GridNode& root : grid_->roots()) make(root);
   look();
   choose();
-  while (!choice_.missing.empty() && make_missing()) choose();
+  while (choice_.lacks && make_missing()) choose();
   making_ms_ = milliseconds_since(start);
 }
 

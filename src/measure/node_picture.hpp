@@ -49,7 +49,7 @@ class NodePicture {
   [[nodiscard]] int made() const { return made_; }               // nodes, also those that are not drawn
   [[nodiscard]] double making_ms() const { return making_ms_; }  // of all of them, from nothing
   // Of nodes that found no room.
-  [[nodiscard]] std::size_t missing() const { return choice_.missing.size(); }
+  [[nodiscard]] std::size_t missing() const { return choice_.lacks ? choice_.missing.size() : 0; }
 
  private:
   // Returns whether there was room.

@@ -73,8 +73,11 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   choose();
   const auto start = std::chrono::steady_clock::now();
   const double time = making == Making::in_time ? time_for(frame.effort) : 0.0;
+  // What is only ahead serves pictures that follow.
+  const bool looks_ahead = frame.effort != Effort::complete;
+  const auto wants_more = [&] { return !is_full_ && (choice_.lacks || (looks_ahead && !choice_.missing.empty())); };
   // A whole level of detail may be missing at each turn.
-  for (int turn = 0; turn <= 2 * deepest_level && !settled() && milliseconds_since(start) < time; ++turn) {
+  for (int turn = 0; turn <= 2 * deepest_level && wants_more() && milliseconds_since(start) < time; ++turn) {
     make_missing(frame, time - milliseconds_since(start));
     choose();
   }

@@ -43,7 +43,7 @@ class NodeMeshes {
   void draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const;
 
   // Whether nothing is missing that there is room for.
-  [[nodiscard]] bool settled() const { return choice_.missing.empty() || is_full_; }
+  [[nodiscard]] bool settled() const { return !choice_.lacks || is_full_; }
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:

@@ -15,6 +15,10 @@ namespace {
 // Nodes that are soon to be split have their quarters made before.
 constexpr double look_ahead = 1.15;
 
+// As are those beside the picture, up to such an angle (rad), or behind the horizon of an eye so many times as high:
+// one that comes into view undivided would hold back all that is finer around it.
+constexpr double look_aside = 0.15, look_over = 1.25;
+
 class Choice {
  public:
   Choice(const NodeGrid& grid, const NodeSight& sight, const NodeEye& eye, const NodeRanges& ranges, NodeCache& cache,
@@ -46,6 +50,21 @@ class Choice {
     std::swap(choice_.level, choice_.next);
   }
 
+  // Asks for what the nodes around the picture will be divided into when they are seen.
+  void look_around() {
+    for (std::size_t n = 0; n < choice_.around.size(); ++n) {
+      const NodeCache::Entry& entry = cache_.at(choice_.around[n]);
+      const double edge = grid_.edge(entry.node.level);
+      const double distance = distance_of(entry.frame.outline, eye_, ranges_.reach * edge).to_split;
+      Quarters quarters;
+      if (entry.node.level >= ranges_.deepest || distance >= look_ahead * ranges_.split * edge) continue;
+      if (!find_quarters(entry.node, distance, true, quarters)) continue;
+      for (const int quarter : quarters) {
+        if (is_around(cache_.at(quarter))) choice_.around.push_back(quarter);
+      }
+    }
+  }
+
   void add_root(const GridNode& node) {
     const int slot = cache_.find(node);
     CHECK(slot >= 0, node.face, node.level, node.x, node.y);
@@ -74,7 +93,11 @@ class Choice {
 
   void add_visible(int slot) {
     cache_.use(slot);
-    if (is_seen(cache_.at(slot))) choice_.next.push_back(slot);
+    if (is_seen(cache_.at(slot))) {
+      choice_.next.push_back(slot);
+    } else if (is_around(cache_.at(slot))) {
+      choice_.around.push_back(slot);
+    }
   }
 
   // Whether they are all there; asks for those that are not.
@@ -118,22 +141,30 @@ class Choice {
   }
 
   [[nodiscard]] bool is_seen(const NodeCache::Entry& entry) const {
-    const NodeFrame& frame = entry.frame;
-    const double low = 1.0 + frame.heights.lowest, high = top_of(frame);
-    for (const glm::dvec3& side : sight_.sides) {
-      if (is_outside(frame.outline, low, high, sight_.eye, side)) return false;
-    }
-    return !behind_horizon(frame);
+    return is_between_sides(entry.frame, 0.0) && !behind_horizon(entry.frame, 1.0);
   }
 
-  // Hidden by the occluder, however high the ground rises over the node.
-  [[nodiscard]] bool behind_horizon(const NodeFrame& frame) const {
+  [[nodiscard]] bool is_around(const NodeCache::Entry& entry) const {
+    return is_between_sides(entry.frame, look_aside) && !behind_horizon(entry.frame, look_over);
+  }
+
+  // aside: rad beyond them.
+  [[nodiscard]] bool is_between_sides(const NodeFrame& frame, double aside) const {
+    const double low = 1.0 + frame.heights.lowest, high = top_of(frame);
+    const double beyond = aside * (glm::distance(sight_.eye, frame.outline.middle) + frame.outline.half_width);
+    return std::none_of(sight_.sides.begin(), sight_.sides.end(), [&](const glm::dvec3& side) {
+      return is_outside(frame.outline, low, high, sight_.eye, side, beyond);
+    });
+  }
+
+  // Hidden by the occluder, however high the ground rises over the node, from an eye so many times as high.
+  [[nodiscard]] bool behind_horizon(const NodeFrame& frame, double times_as_high) const {
     const double r = sight_.occluder, distance = glm::length(sight_.eye);
     if (r <= 0.0 || distance <= r) return false;
     const double top = std::max(top_of(frame) - r, 0.0);
     const double away = f64::angle_between(frame.outline.middle, sight_.eye);
-    return away >
-           f64::hidden_angle(r, distance - r, top) + 2.0 * std::asin(std::min(0.5 * frame.outline.half_width, 1.0));
+    return away > f64::hidden_angle(r, times_as_high * (distance - r), top) +
+                      2.0 * std::asin(std::min(0.5 * frame.outline.half_width, 1.0));
   }
 
   const NodeGrid& grid_;
@@ -174,6 +205,7 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   choice.missing.clear();
   choice.level.clear();
   choice.next.clear();
+  choice.around.clear();
   Choice chooser(grid, sight, eye, ranges, cache, choice);
   for (const GridNode& root : grid.roots()) chooser.add_root(root);
   std::swap(choice.level, choice.next);
@@ -181,9 +213,13 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   while (!choice.level.empty()) chooser.pass_level();
   if (sight.mountains_hide) leave_out_hidden(grid, sight, ranges.cells, cache, choice);
   for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarse_around(drawn.slot);
-  const bool lacks = std::any_of(choice.missing.begin(), choice.missing.end(),
-                                 [](const MissingNode& missing) { return !missing.is_ahead; });
-  if (lacks) std::erase_if(choice.missing, [](const MissingNode& missing) { return missing.is_ahead; });
+  choice.lacks = std::any_of(choice.missing.begin(), choice.missing.end(),
+                             [](const MissingNode& missing) { return !missing.is_ahead; });
+  if (choice.lacks) {
+    std::erase_if(choice.missing, [](const MissingNode& missing) { return missing.is_ahead; });
+  } else {
+    chooser.look_around();
+  }
   std::sort(choice.missing.begin(), choice.missing.end(), [](const MissingNode& a, const MissingNode& b) {
     return std::tie(a.node.level, a.distance) < std::tie(b.node.level, b.distance);
   });

@@ -59,11 +59,13 @@ struct NodeSilhouette {
 // Room for a frame's work, so that none is allocated again.
 struct NodeChoice {
   std::vector<DrawnNode> drawn;
-  // What the picture lacks to be as fine as it should be; where it lacks nothing, what it will soon need. The coarsest
-  // first, and of a level the nearest.
+  // What the picture lacks to be as fine as it should be; where it lacks nothing, what it will soon need, nearer or
+  // turned aside. The coarsest first, and of a level the nearest.
   std::vector<MissingNode> missing;
+  bool lacks = false;
 
   std::vector<int> level, next;  // slots of nodes of a level while it is looked through
+  std::vector<int> around;       // and of those around the picture
   std::vector<NodeSilhouette> silhouettes;
   // Distances and places of silhouettes: of all by their nearest, and of those that can hide by hidden_from.
   std::array<std::vector<std::pair<double, std::size_t>>, 2> orders;

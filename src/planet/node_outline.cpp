@@ -69,11 +69,11 @@ double farthest_from(const NodeOutline& outline, const glm::dvec3& direction) {
 }
 
 bool is_outside(const NodeOutline& outline, double lowest, double highest, const glm::dvec3& eye,
-                const glm::dvec3& inwards) {
+                const glm::dvec3& inwards, double beyond) {
   // The flat lid over the corners touches the highest sphere in its middle.
   const double cosine = 1.0 - 0.5 * outline.half_width * outline.half_width;
   if (cosine < 0.5) return false;
-  const double lid = highest / cosine, margin = outline.bulge * lid;
+  const double lid = highest / cosine, margin = outline.bulge * lid + beyond;
   const double from_eye = glm::dot(inwards, eye);
   return std::all_of(outline.corners.begin(), outline.corners.end(), [&](const glm::dvec3& corner) {
     const double along = glm::dot(inwards, corner);

@@ -31,8 +31,9 @@ double farthest_from(const NodeOutline& outline, const glm::dvec3& direction);
 // From a place to the nearest of the straight line from a to b.
 double distance_to_line(const glm::dvec3& from, const glm::dvec3& a, const glm::dvec3& b);
 
-// Whether all that lies over it, between two radii, is on the far side of a plane through the eye. inwards: unit.
+// Whether all that lies over it, between two radii, is on the far side of a plane through the eye, and further from it
+// than a distance. inwards: unit.
 bool is_outside(const NodeOutline& outline, double lowest, double highest, const glm::dvec3& eye,
-                const glm::dvec3& inwards);
+                const glm::dvec3& inwards, double beyond);
 
 }  // namespace terrella

@@ -79,7 +79,7 @@ class Nodes {
     for (int turn = 0; turn < turns; ++turn) {
       cache_.begin_frame();
       choose_nodes(*grid_, sight, eye_, ranges_, cache_, choice_);
-      if (choice_.missing.empty()) return;
+      if (!choice_.lacks && turns > 1) return;
       for (const MissingNode& missing : choice_.missing) {
         if (some == nullptr || some->between(0.0, 1.0) < 0.7) make(missing.node);
       }
@@ -253,7 +253,7 @@ TEST_P(NodeChoices, MakeOneSurfaceOfAllNodes) {
     Nodes nodes(scene, GetParam(), places.between(0.0, 1.25), n % 2 == 0 ? 8 : 14);
     place_at_random(scene, places);
     nodes.choose(scene, true);
-    EXPECT_TRUE(nodes.choice().missing.empty());
+    EXPECT_FALSE(nodes.choice().lacks);
     check_surface(nodes);
     if (HasFailure()) FAIL() << n;
   }
@@ -267,11 +267,39 @@ TEST_P(NodeChoices, MakeOneSurfaceWhileSomeAreStillMissing) {
     Nodes nodes(scene, GetParam(), 0.0, 8);
     place_at_random(scene, places);
     nodes.choose(scene, true, 1 + n % 12, &places);
-    missing += nodes.choice().missing.empty() ? 0 : 1;
+    missing += nodes.choice().lacks ? 1 : 0;
     check_surface(nodes);
     if (HasFailure()) FAIL() << n;
   }
   EXPECT_GT(missing, test::sanitized ? 1 : 10);
+}
+
+// An eye that moves and turns little by little, with time enough to make what is ahead: no picture lacks anything. One
+// node that lacks its quarters would make all coarse that is near it.
+TEST_P(NodeChoices, AskForWhatComesIntoView) {
+  Places places(8);
+  Scene scene = planet();
+  int followed = 0;
+  for (int n = 0; n < (test::sanitized ? 2 : 20); ++n) {
+    Nodes nodes(scene, GetParam(), places.between(0.0, 1.25), 8, true);
+    place_at_random(scene, places);
+    const double turn = places.between(-2.0, 2.0), nearer = places.between(0.97, 1.0);
+    const NodeGrid* before = nullptr;
+    for (int step = 0; step < 40; ++step) {
+      nodes.choose(scene, false, 0);
+      // A grid that is held at the eye is made anew now and then.
+      if (before == &nodes.grid()) {
+        ++followed;
+        EXPECT_FALSE(nodes.choice().lacks) << n << ", " << step;
+      }
+      before = &nodes.grid();
+      while (!nodes.choice().missing.empty()) nodes.choose(scene, false, 1);
+      const double ground = glm::length(nodes.pose().eye) - nodes.pose().clearance;
+      scene.camera.altitude = (ground + nearer * nodes.pose().clearance - 1.0) * scene.planet.radius;
+      scene.camera.heading = std::remainder(scene.camera.heading + turn, 360.0);
+    }
+  }
+  EXPECT_GT(followed, test::sanitized ? 20 : 200);
 }
 
 // Whether a triangle of directions, counter-clockwise from outside, has another between them.
