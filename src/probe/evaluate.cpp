@@ -8,6 +8,7 @@
   struct Bodies {                                                               \
     const Real* numbers;                                                        \
     Real* answers;                                                              \
+    sampler2D height_map;                                                       \
     Real num(int i) const { return numbers[i]; }                                \
     vec3 triple(int i) const { return vec3(num(i), num(i + 1), num(i + 2)); }   \
     uint bits(int i) const { return uint(num(i)) * 65536U + uint(num(i + 1)); } \
@@ -70,17 +71,21 @@ const Compiled& find(std::string_view name) {
   fail_check(__FILE__, __LINE__, "a body for each function", std::string(name));
 }
 
+HeightTexels texels_of(const HeightMap* map) {
+  return map == nullptr ? HeightTexels{} : HeightTexels{map, map->serial()};
+}
+
 }  // namespace
 
-Answers<float> evaluate_f32(std::string_view function, std::span<const float> numbers) {
+Answers<float> evaluate_f32(std::string_view function, std::span<const float> numbers, const HeightMap* map) {
   Answers<float> answers{};
-  (f32::Bodies{numbers.data(), answers.data()}.*find(function).single)();
+  (f32::Bodies{numbers.data(), answers.data(), texels_of(map)}.*find(function).single)();
   return answers;
 }
 
-Answers<double> evaluate_f64(std::string_view function, std::span<const double> numbers) {
+Answers<double> evaluate_f64(std::string_view function, std::span<const double> numbers, const HeightMap* map) {
   Answers<double> answers{};
-  (f64::Bodies{numbers.data(), answers.data()}.*find(function).twice)();
+  (f64::Bodies{numbers.data(), answers.data(), texels_of(map)}.*find(function).twice)();
   return answers;
 }
 

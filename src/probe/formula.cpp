@@ -95,9 +95,9 @@ Numbers allowed_by_arguments(const Formula& formula, const Case& c) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (sizes[i] == 0.0) continue;
     numbers[i] = c.numbers[i] - part * sizes[i];
-    const Answers<double> before = evaluate_f64(formula.name, numbers);
+    const Answers<double> before = evaluate_f64(formula.name, numbers, c.map);
     numbers[i] = c.numbers[i] + part * sizes[i];
-    const Answers<double> after = evaluate_f64(formula.name, numbers);
+    const Answers<double> after = evaluate_f64(formula.name, numbers, c.map);
     numbers[i] = c.numbers[i];
     for (std::size_t k = 0; k < allowed.size(); ++k) {
       allowed[k] += std::fmax(std::fabs(before[k] - c.answers[k]), std::fabs(after[k] - c.answers[k]));

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/height_map.hpp"
 #include "base/result.hpp"
 
 namespace terrella::probe {
@@ -103,6 +104,7 @@ struct Case {
   std::span<const double> numbers;
   std::span<const double> answers;
   bool gpu;
+  const HeightMap* map = nullptr;  // null where the function reads none
 };
 
 struct Function {
@@ -113,6 +115,10 @@ struct Function {
   // The numbers that the function's body (bodies.inc) reads, from arguments that are there and in range: what a host
   // does in double precision before it draws. Fails with a sentence where they contradict each other.
   std::function<Prepared(const Json& args)> prepare;
+
+  // The map that the body reads beside the numbers, from such arguments; a sentence where they make none. Empty where
+  // the function reads no map.
+  std::function<Result<SharedHeightMap>(const Json& args)> map = {};
 
   // Where the answer's members depend on the arguments or on what was found; otherwise `outputs` are they.
   std::function<std::vector<Output>(const Json& args, std::span<const double> answers)> shape = {};

@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "gl/caps.hpp"
+#include "gl/program.hpp"
 #include "gl/target.hpp"
 
 namespace terrella::probe {
@@ -16,6 +17,7 @@ constexpr std::size_t kWidth = 1024, kMostRows = 2048;  // of the texture of num
 constexpr const char* kBefore = R"(
 #define Real float
 uniform highp sampler2D numbers;
+uniform highp sampler2D height_map;
 uniform int two;
 layout(location = 0) in int start;
 out vec4 answers_low;
@@ -86,12 +88,13 @@ GLuint Gpu::program_of(std::string_view function) {
   return programs_.emplace(std::string(function), std::move(program)).first->second.name();
 }
 
-void Gpu::draw(GLuint program, const std::vector<float>& numbers, const std::vector<GLint>& starts,
-               std::vector<Drawn>& drawn) {
+void Gpu::draw(GLuint program, const Told& all, const std::vector<GLint>& starts, std::vector<Drawn>& drawn) {
   const gl::Target somewhere(1, 1, gl::Format::rgba8, false);  // a context without a window has nowhere to draw to
   somewhere.begin();
-  const std::size_t rows = (numbers.size() + kWidth - 1) / kWidth;
-  std::vector<float> texels = numbers;
+  gl::HeightTexture::keep(height_map_, all.map.get());
+  if (height_map_) height_map_->bind(gl::unit_heights);
+  const std::size_t rows = (all.numbers.size() + kWidth - 1) / kWidth;
+  std::vector<float> texels = all.numbers;
   texels.resize(rows * kWidth);
   const gl::TextureHandle texture;
   glActiveTexture(GL_TEXTURE0);
@@ -115,6 +118,7 @@ void Gpu::draw(GLuint program, const std::vector<float>& numbers, const std::vec
   glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
   glUseProgram(program);
   glUniform1i(glGetUniformLocation(program, "numbers"), 0);
+  glUniform1i(glGetUniformLocation(program, "height_map"), gl::unit_heights);
   glUniform1i(glGetUniformLocation(program, "two"), 2);
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginTransformFeedback(GL_POINTS);
@@ -130,29 +134,32 @@ void Gpu::draw(GLuint program, const std::vector<float>& numbers, const std::vec
   glBindVertexArray(0);
 }
 
-std::vector<Answers<float>> Gpu::evaluate(std::string_view function, const std::vector<std::vector<float>>& lists) {
+std::vector<Answers<float>> Gpu::evaluate(std::string_view function, std::span<const Told> told) {
   const GLuint program = program_of(function);
   std::vector<Drawn> drawn;
-  std::vector<float> numbers;
+  Told together;
   std::vector<GLint> starts;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    CHECK(lists[i].size() <= kWidth * kMostRows, lists[i].size());
-    starts.push_back(static_cast<GLint>(numbers.size()));
-    numbers.insert(numbers.end(), lists[i].begin(), lists[i].end());
-    const bool last = i + 1 == lists.size();
-    if (last || numbers.size() + lists[i + 1].size() > kWidth * kMostRows) {
-      draw(program, numbers, starts, drawn);
-      numbers.clear();
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const std::vector<float>& numbers = told[i].numbers;
+    CHECK(numbers.size() <= kWidth * kMostRows, numbers.size());
+    starts.push_back(static_cast<GLint>(together.numbers.size()));
+    together.numbers.insert(together.numbers.end(), numbers.begin(), numbers.end());
+    together.map = told[i].map;
+    const bool last = i + 1 == told.size();
+    if (last || told[i + 1].map != together.map ||
+        together.numbers.size() + told[i + 1].numbers.size() > kWidth * kMostRows) {
+      draw(program, together, starts, drawn);
+      together = {};
       starts.clear();
     }
   }
   std::vector<Answers<float>> answers;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
+  for (std::size_t i = 0; i < told.size(); ++i) {
     std::vector<Drawn> alone = {drawn[i]};
     // It may have been one of those beside it that went on for too long.
-    if (drawn[i].finished == 0.0F && lists.size() > 1) {
+    if (drawn[i].finished == 0.0F && told.size() > 1) {
       alone.clear();
-      draw(program, lists[i], {0}, alone);
+      draw(program, told[i], {0}, alone);
     }
     if (alone[0].finished == 0.0F) alone[0].answers.fill(std::numeric_limits<float>::quiet_NaN());
     answers.push_back(alone[0].answers);

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "formulas/formulas.hpp"
+#include "probe/evaluate.hpp"
+#include "probe/map_argument.hpp"
 #include "probe/scene_arguments.hpp"
 
 namespace terrella::probe {
@@ -17,9 +19,10 @@ constexpr Range footprints{1e-6, 1.0};
 // What a weight of layers leaves of 1 is known to so much, as faint as it may be.
 constexpr double weight = 4.0 * u;
 
-Function terrain_height() {
+// The layers of the ground are the numbers from 4 on, as read_terrain reads them.
+Formula formula_of_heights(std::string_view name) {
   Formula f;
-  f.name = "terrain_height";
+  f.name = name;
   f.args = {{"direction", Kind::triple, "", components},
             {"footprint", Kind::number, "rad", footprints},
             {"H", Kind::number, "radii", parts},
@@ -32,29 +35,159 @@ Function terrain_height() {
             {"k", Kind::number, "", {0.0, 1000.0}},
             of_host({"seed", Kind::whole, "", seeds})};
   f.outputs = {{"height", 0}, {"grad", 1, 3}, {"openness", 4}};
-  f.rarity = 10;
   f.on_cpu = 32.0;
   f.on_gpu = 32.0;
+  return f;
+}
+
+// What bounds of heights take of a case: its body puts two more answers for them than requests are told.
+struct HeightCase {
+  f64::Terrain terrain{};  // those of its members that matter to bounds
+  double footprint;
+  double mean, shape;  // as Height has them
+
+  explicit HeightCase(const Case& c) : footprint(c.numbers[3]), mean(c.answers[5]), shape(c.answers[6]) {
+    terrain.height = c.numbers[4];
+    terrain.frequency = c.numbers[5];
+    terrain.octaves = static_cast<int>(c.numbers[6]);
+    terrain.lacunarity = c.numbers[8];
+    terrain.power = c.numbers[9];
+    terrain.ridged = c.numbers[10] > 0.5;
+    terrain.sharpness = c.numbers[11];
+  }
+
+  // To so much a mean of layers is known.
+  [[nodiscard]] double known() const { return (12.0 + terrain.octaves) * u; }
+
+  // Slopes of ridges change so much faster at their edges.
+  [[nodiscard]] double edge_of(bool ridged) const { return ridged ? 1.0 + terrain.sharpness : 1.0; }
+};
+
+void allow_slope(Numbers& allowed, double slope) {
+  for (std::size_t i = 1; i < 4; ++i) allowed[i] += slope;
+}
+
+// Openness rises by no more with what it is told of.
+constexpr double openness_of_relief = 5.0;
+
+// Noise itself is known no better than to some u, however slowly it changes; ridges multiply that at their edges. rise:
+// of the height with a mean of layers; of_relief: the same of what openness is told of.
+void allow_noise(Numbers& allowed, const HeightCase& of, double rise, double of_relief, bool ridged) {
+  const f64::Terrain& t = of.terrain;
+  const double steep = of.known() * t.frequency;
+  // Layers that are nearly too fine to be shown have half a cell a footprint.
+  const double finest = t.frequency * std::pow(t.lacunarity, t.octaves - 1.0), last = 0.5 / of.footprint;
+  constexpr double steepest = 16.0;  // of noise, a cell
+  const double faded = finest > 0.8 * last ? weight * last : 0.0;
+  allowed[0] += of.known() * rise;
+  allow_slope(allowed, (of.edge_of(ridged) * steep + steepest * faded) * rise);
+  allowed[4] += openness_of_relief * (steep + faded) * of_relief;
+}
+
+// Openness is a half and what is added to it; where it is hardly known, as much may make a hollow of a crest.
+void allow_openness(Numbers& allowed) {
+  allowed[4] += 8.0 * u;
+  if (allowed[4] > 0.1) allowed[4] = anything;
+}
+
+// Where the ground ends in a plain at its lowest or highest, slopes jump. part: 0 and 1 there, known to so much.
+void allow_plains(Numbers& allowed, double part, double known) {
+  if (part <= known || part >= 1.0 - known) std::fill(allowed.begin() + 1, allowed.end(), anything);
+}
+
+// All amplitudes as a multiple of those of the ridges of ranges; 0 without ridges.
+double layers_for_ridges(const Case& c) {
+  const auto octaves = static_cast<int>(c.numbers[6]), first = static_cast<int>(c.numbers[15]);
+  if (c.numbers[14] == 0.0 || first >= octaves) return 0.0;
+  const double all = f64::amplitude_sum(c.numbers[7], octaves);
+  return all / (all - f64::amplitude_sum(c.numbers[7], first));
+}
+
+// The slope of the mean of all layers.
+double slope_of_mean(const Case& c) {
+  Numbers plain(c.numbers.begin(), c.numbers.end());
+  plain[4] = plain[9] = 1.0;  // H and p
+  plain[14] = 0.0;            // the part of ranges
+  const Answers<double> mean = evaluate_f64("terrain_height", plain);
+  return std::hypot(mean[1], mean[2], mean[3]);
+}
+
+// At the foot of ranges the rise itself changes fast with the mean of layers, which is known to some u. layers: as
+// layers_for_ridges has it.
+void allow_feet(Numbers& allowed, const HeightCase& of, double layers, double slope_of_mean) {
+  const f64::Relief here = f64::relief_of(of.terrain, of.mean, of.shape);
+  const auto of_relief = [layers](const f64::Relief& at) { return at.by_mean + layers * at.by_shape; };
+  double rise = 0.0, relief = 0.0;  // off by so much
+  for (const double off : {-of.known(), of.known()}) {
+    const f64::Relief beside = f64::relief_of(of.terrain, of.mean + off, of.shape);
+    rise = std::fmax(rise, std::fabs(beside.by_mean - here.by_mean));
+    relief = std::fmax(relief, std::fabs(of_relief(beside) - of_relief(here)));
+  }
+  allow_slope(allowed, rise * slope_of_mean);
+  constexpr double most = 0.2;  // that openness rises by with the logarithm of what it is told of
+  allowed[4] += most * relief / std::fmax(of_relief(here), faint);
+}
+
+Function terrain_height() {
+  Formula f = formula_of_heights("terrain_height");
+  f.args.push_back({"ranges",
+                    Kind::object,
+                    "",
+                    any,
+                    true,
+                    {},
+                    {{"part", Kind::number, "", parts}, {"first", Kind::whole, "", {0.0, 24.0}}}});
+  f.fit = [](Json& args, Random& random) {
+    // Ridges of a smaller part of all layers are so steep that single precision holds no squares of it.
+    constexpr double faintest = 1e-9;
+    if (std::pow(number(args, "persistence"), number(args["ranges"], "first")) < faintest) args["ranges"]["first"] = 0;
+    if (random.chance(0.5)) args.erase("ranges");
+  };
+  f.rarity = 10;
   Function made = function_of(f);
+  made.prepare = [of_all = made.prepare](const Json& args) {
+    Json all = args;
+    if (!has(args, "ranges")) all["ranges"] = {{"part", 0.0}, {"first", 0}};
+    return of_all(all);
+  };
   made.allowed = [of_arguments = made.allowed](const Case& c) {
     Numbers allowed = of_arguments(c);
-    allowed[4] += 8.0 * u;  // openness is a half and what is added to it
-    const double H = c.numbers[4], p = c.numbers[9];
-    if (allowed[4] > 0.1) allowed[4] = anything;  // as much may make a hollow of a crest
-    // Where the mean of the layers reaches 0 or 1 the ground ends in a plain: its slope jumps.
-    const double h = std::pow(c.answers[0] / std::fmax(H, faint), 1.0 / std::fmax(p, 1e-3));
-    const double known = (12.0 + c.numbers[6]) * u;
-    // Noise itself is known no better than to some u, however slowly it changes; ridges multiply that at their edges.
-    const double steepened = f64::height_power_slope(h, H, p);
-    const double edge = c.numbers[10] > 0.5 ? 1.0 + c.numbers[11] : 1.0;
-    double slope = known * edge * c.numbers[5] * steepened;
-    allowed[0] += known * steepened;
-    // Layers that are nearly too fine to be shown have half a cell a footprint; noise is at most so steep.
-    const double finest = c.numbers[5] * std::pow(c.numbers[8], c.numbers[6] - 1.0), last = 0.5 / c.numbers[3];
-    constexpr double steepest = 16.0;
-    if (finest > 0.8 * last) slope += weight * steepest * last * steepened;
-    for (std::size_t i = 1; i < 4; ++i) allowed[i] += slope;
-    if (h <= known || h >= 1.0 - known) std::fill(allowed.begin() + 1, allowed.end(), anything);
+    HeightCase of(c);
+    of.terrain.ranges = {c.numbers[14], static_cast<int>(c.numbers[15])};
+    const f64::Relief relief = f64::relief_of(of.terrain, of.mean, of.shape);
+    const double layers = layers_for_ridges(c);
+    allow_noise(allowed, of, relief.by_mean, relief.by_mean, of.terrain.ridged);
+    allow_noise(allowed, of, relief.by_shape, relief.by_shape * layers, true);
+    if (layers > 0.0) allow_feet(allowed, of, layers, slope_of_mean(c));
+    allow_openness(allowed);
+    allow_plains(allowed, of.mean, of.known());
+    return allowed;
+  };
+  return made;
+}
+
+Function mapped_height() {
+  Formula f = formula_of_heights("mapped_height");
+  f.rarity = 50;
+  Function made = function_of(f);
+  made.args.push_back(map_argument());
+  made.map = map_of_argument;
+  made.random = [of_rest = made.random](Random& random) {
+    Json args = of_rest(random);
+    args["map"] = made_up_map(random);
+    return args;
+  };
+  made.allowed = [of_arguments = made.allowed](const Case& c) {
+    Numbers allowed = of_arguments(c);
+    const HeightCase of(c);
+    const f64::Relief relief = f64::mapped_relief_of(of.terrain, of.mean, of.shape);
+    allow_noise(allowed, of, relief.by_mean, relief.by_mean, of.terrain.ridged);
+    // A map is known to some u of its highest. Rows are compared for slopes, and levels for openness, of hills as wide
+    // as three texels.
+    allow_slope(allowed, 4.0 * u * relief.by_shape * c.map->levels()[0].height / (0.5 * turn));
+    allowed[4] += openness_of_relief * 8.0 * u * of.terrain.height / (3.0 * c.map->texel());
+    allow_openness(allowed);
+    allow_plains(allowed, of.shape + f64::mapped_rise(of.shape, of.terrain.power) * of.mean, of.known());
     return allowed;
   };
   return made;
@@ -178,6 +311,8 @@ Function ground_albedo() {
 
 }  // namespace
 
-std::vector<Function> ground_functions() { return {terrain_height(), craters(), swell(), ground_albedo()}; }
+std::vector<Function> ground_functions() {
+  return {terrain_height(), mapped_height(), craters(), swell(), ground_albedo()};
+}
 
 }  // namespace terrella::probe

@@ -22,6 +22,7 @@ struct Request {
   Json args;
   Precision precision = Precision::f64;
   std::vector<double> numbers;
+  SharedHeightMap map;  // null where the function reads none
   std::string error;
 };
 
@@ -73,6 +74,10 @@ std::string understand_precision(const Json& request, Request& understood) {
                  did_you_mean(nearest_name(wanted, precisions)));
 }
 
+Result<SharedHeightMap> map_of(const Function& function, const Json& args) {
+  return function.map ? function.map(args) : SharedHeightMap();
+}
+
 std::string understand_args(const Json& request, Request& understood) {
   const auto args = request.find("args");
   if (args == request.end()) return "args: the arguments are missing; they are an object.";
@@ -81,6 +86,9 @@ std::string understand_args(const Json& request, Request& understood) {
   if (!trouble.empty()) return trouble;
   Prepared prepared = understood.function->prepare(*args);
   if (!prepared) return prepared.sentence();
+  const Result<SharedHeightMap> map = map_of(*understood.function, *args);
+  if (!map) return map.sentence();
+  understood.map = *map;
   understood.args = *args;
   understood.numbers = *prepared;
   if (understood.precision == Precision::f64 || !all_finite(rounded_numbers(understood.numbers))) return {};
@@ -189,13 +197,13 @@ std::vector<std::string> Probe::answer(std::span<const std::string> lines) {
     } else if (!all_finite(request.numbers)) {
       answers[i] = failed(request, "not finite");
     } else if (request.precision == Precision::f64) {
-      answers[i] = answered(request, evaluate_f64(request.function->name, request.numbers));
+      answers[i] = answered(request, evaluate_f64(request.function->name, request.numbers, request.map.get()));
     } else {
       const std::vector<float> numbers = rounded_numbers(request.numbers);
       if (!all_finite(numbers)) {
         answers[i] = failed(request, "not finite");
       } else if (request.precision == Precision::f32) {
-        answers[i] = answered(request, widened(evaluate_f32(request.function->name, numbers)));
+        answers[i] = answered(request, widened(evaluate_f32(request.function->name, numbers, request.map.get())));
       } else if (gpu() == nullptr) {
         answers[i] = failed(request, "no gpu");
       } else {
@@ -204,9 +212,9 @@ std::vector<std::string> Probe::answer(std::span<const std::string> lines) {
     }
   }
   for (const auto& [function, places] : drawn) {
-    std::vector<std::vector<float>> lists;
-    for (const std::size_t i : places) lists.push_back(rounded_numbers(requests[i].numbers));
-    const std::vector<Answers<float>> computed = gpu()->evaluate(function->name, lists);
+    std::vector<Told> told;
+    for (const std::size_t i : places) told.push_back({rounded_numbers(requests[i].numbers), requests[i].map});
+    const std::vector<Answers<float>> computed = gpu()->evaluate(function->name, told);
     for (std::size_t k = 0; k < places.size(); ++k) {
       answers[places[k]] = answered(requests[places[k]], widened(computed[k]));
     }
@@ -223,7 +231,7 @@ std::vector<Accuracy> fuzz(int n, unsigned seed, Gpu* gpu) {
     Random random(seed);
     std::vector<Json> tried;
     std::vector<std::vector<double>> prepared;
-    std::vector<std::vector<float>> lists;
+    std::vector<Told> told;
     const int tries = std::max(std::min(n, 8), n / function.rarity);
     while (accuracy.tries < tries) {
       Json args = function.random(random);
@@ -232,28 +240,30 @@ std::vector<Accuracy> fuzz(int n, unsigned seed, Gpu* gpu) {
       CHECK(trouble.empty(), trouble);
       auto numbers = function.prepare(args);
       if (!numbers) continue;  // arguments that contradict each other
-      lists.push_back(rounded_numbers(*numbers));
+      told.push_back({rounded_numbers(*numbers), *map_of(function, args)});
       prepared.push_back(std::move(*numbers));
       tried.push_back(std::move(args));
     }
     const std::vector<Answers<float>> drawn =
-        gpu == nullptr ? std::vector<Answers<float>>() : gpu->evaluate(function.name, lists);
+        gpu == nullptr ? std::vector<Answers<float>>() : gpu->evaluate(function.name, told);
     const auto hold = [&](std::size_t i, const Answers<float>& answers, std::span<const double> right, bool on_gpu) {
       double& worst = on_gpu ? accuracy.gpu : accuracy.f32;
-      const double part = part_of_allowed(answers, right, function.allowed({prepared[i], right, on_gpu}));
+      const Case tested = {prepared[i], right, on_gpu, told[i].map.get()};
+      const double part = part_of_allowed(answers, right, function.allowed(tested));
       if (part <= worst) return;
       worst = part;
       (on_gpu ? accuracy.worst_gpu : accuracy.worst_f32) = tried[i].dump();
     };
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      const Answers<double> right = evaluate_f64(function.name, prepared[i]);
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      const HeightMap* map = told[i].map.get();
+      const Answers<double> right = evaluate_f64(function.name, prepared[i], map);
       if (!all_finite(right)) {
         accuracy.f32 = std::numeric_limits<double>::infinity();
         accuracy.worst_f32 = tried[i].dump();
         continue;
       }
       // `allowed` tells how many answers there are; the rest is 0 in all.
-      hold(i, evaluate_f32(function.name, lists[i]), right, false);
+      hold(i, evaluate_f32(function.name, told[i].numbers, map), right, false);
       if (gpu != nullptr) hold(i, drawn[i], right, true);
     }
     accuracies.push_back(std::move(accuracy));

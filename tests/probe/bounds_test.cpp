@@ -59,6 +59,25 @@ TEST_P(OnGpu, AnswersOfABatchStayInOrder) {
   }
 }
 
+TEST_P(OnGpu, EachRequestReadsItsOwnMap) {
+  const Function& function = *find_function("mapped_height");
+  Random random(4U);
+  Json args = function.random(random);
+  args["octaves"] = 0;
+  args["H"] = 1.0;
+  std::vector<std::string> lines;
+  for (int i = 0; i < 12; ++i) {
+    const double height = 0.05 * (1 + i / 2);
+    args["map"] = {{"width", 8 + i}, {"height", 8}, {"heights", std::vector<double>(8U * (8U + i), height)}};
+    lines.push_back(Json{{"id", height}, {"fn", function.name}, {"args", args}, {"precision", "gpu"}}.dump());
+  }
+  for (const std::string& line : probe.answer(lines)) {
+    const Json answer = Json::parse(line);
+    ASSERT_TRUE(answer.contains("value")) << line;
+    EXPECT_NEAR(answer["value"]["height"].get<double>(), answer["id"].get<double>(), 1e-6);
+  }
+}
+
 // A software rasterizer gives up on loops that turn too often, and on those of the vertices beside it. Whoever asked
 // for little is answered all the same, and who asked for too much is not answered wrongly.
 TEST_P(OnGpu, NoAnswerDependsOnWhatIsAskedBesideIt) {
