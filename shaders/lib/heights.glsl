@@ -100,7 +100,7 @@ float layer_mean(bool ridged) {
 // How open a place is whose layers, all but the coarsest, lift it by relief: the sum of their heights, each divided by the
 // width of its hills. Stands for the part of the sky that is seen, without looking around.
 float openness_of(float relief) {
-  float x = 10.0 * relief;
+  float x = clamp(10.0 * relief, -1.0e6, 1.0e6);
   return 0.5 + 0.5 * x / sqrt(1.0 + x * x);
 }
 
@@ -136,7 +136,11 @@ void add_ridges(inout RidgeSum r, Noise n, float amplitude, float frequency, flo
   r.total += amplitude;
 }
 
-float mean_of_ridges(RidgeSum r) { return r.total > 0.0 ? max(r.sum / r.total, 0.0) : 0.0; }
+// Ridges fainter than this, of the strength of the coarsest layer, are none: nothing could be divided by what single
+// precision holds of their sum.
+const float faintest_ridges = 1.0e-30;
+
+float mean_of_ridges(RidgeSum r) { return r.total > faintest_ridges ? max(r.sum / r.total, 0.0) : 0.0; }
 
 // How high ground stands that is made of two means, radii, and how that changes with each.
 struct Relief {
@@ -227,7 +231,7 @@ Height height_of(HeightParts p, vec3 direction, Terrain t) {
   ground.iced = false;
   Relief relief_here = relief_of(t, ground.mean, ground.shape);
   float rise = total > 0.0 ? relief_here.by_mean / total : 0.0;
-  float rise_of_ridges = p.ridges.total > 0.0 ? relief_here.by_shape / p.ridges.total : 0.0;
+  float rise_of_ridges = p.ridges.total > faintest_ridges ? relief_here.by_shape / p.ridges.total : 0.0;
   vec3 gradient = p.gradient + (total * of_dug) * p.dug_gradient;
   float relief = p.relief + total * of_dug * p.dug * t.craters.frequency;
   ground.value = relief_here.value;

@@ -239,6 +239,27 @@ TEST(TerrainHeight, IsFiniteAtTheEndsOfEveryParameter) {
           }
 }
 
+// Of layers that fade so fast that those of the ridges are nothing to single precision, or nearly.
+TEST(TerrainHeight, IsFiniteWithRangesOfTheFaintestLayers) {
+  Places places(25U);
+  f32::Terrain t{};
+  t.height = 0.01F;
+  t.frequency = 3.0F;
+  t.octaves = 20;
+  t.lacunarity = 2.0F;
+  t.power = 1.0F;
+  t.sharpness = 8.0F;
+  t.ranges = {0.5F, 16};
+  for (const float persistence : {1e-3F, 4e-3F, 5e-3F, 1e-2F, 0.1F}) {
+    t.persistence = persistence;
+    for (int i = 0; i < 50; ++i) {
+      const f32::Height h = f32::terrain_height_at(glm::vec3(places.on_sphere()), t, 1e-4F);
+      ASSERT_TRUE(std::isfinite(h.value) && std::isfinite(glm::length(h.gradient))) << persistence;
+      ASSERT_NEAR(h.openness, 0.5F, 0.5F) << persistence;
+    }
+  }
+}
+
 TEST(SurfaceNormal, IsThatOfTheDisplacedSurface) {
   Places places(25U);
   const f64::Terrain t = hills();
