@@ -239,25 +239,45 @@ TEST(TerrainHeight, IsFiniteAtTheEndsOfEveryParameter) {
           }
 }
 
-// Of layers that fade so fast that those of the ridges are nothing to single precision, or nearly.
-TEST(TerrainHeight, IsFiniteWithRangesOfTheFaintestLayers) {
-  Places places(25U);
-  f32::Terrain t{};
+template <class Terrain>
+Terrain with_faint_ranges(double persistence) {
+  Terrain t{};
   t.height = 0.01F;
   t.frequency = 3.0F;
   t.octaves = 20;
+  t.persistence = static_cast<decltype(t.persistence)>(persistence);
   t.lacunarity = 2.0F;
   t.power = 1.0F;
   t.sharpness = 8.0F;
   t.ranges = {0.5F, 16};
-  for (const float persistence : {1e-3F, 4e-3F, 5e-3F, 1e-2F, 0.1F}) {
-    t.persistence = persistence;
+  return t;
+}
+
+// Of layers that fade so fast that those of the ridges are nothing to single precision, or that what is divided by them
+// is more than it holds.
+TEST(TerrainHeight, IsFiniteWithRangesOfTheFaintestLayers) {
+  Places places(25U);
+  for (const double persistence : {1e-3, 2e-3, 2.5e-3, 3e-3, 1e-2}) {
+    const auto t = with_faint_ranges<f32::Terrain>(persistence);
     for (int i = 0; i < 50; ++i) {
       const f32::Height h = f32::terrain_height_at(glm::vec3(places.on_sphere()), t, 1e-4F);
       ASSERT_TRUE(std::isfinite(h.value) && std::isfinite(glm::length(h.gradient))) << persistence;
-      ASSERT_NEAR(h.openness, 0.5F, 0.5F) << persistence;
     }
   }
+}
+
+TEST(Openness, OfTheSteepestRangesIsAllOrNothing) {
+  Places places(26U);
+  int on_ranges = 0;
+  for (int i = 0; i < 50; ++i) {
+    const glm::dvec3 place = places.on_sphere();
+    const double exact = f64::terrain_height_at(place, with_faint_ranges<f64::Terrain>(0.02), 1e-4).openness;
+    if (std::abs(exact - 0.5) < 0.499) continue;
+    ++on_ranges;
+    const auto t = with_faint_ranges<f32::Terrain>(0.02);
+    EXPECT_NEAR(f32::terrain_height_at(glm::vec3(place), t, 1e-4F).openness, exact, 1e-3);
+  }
+  EXPECT_GT(on_ranges, 10);
 }
 
 TEST(SurfaceNormal, IsThatOfTheDisplacedSurface) {
