@@ -353,6 +353,39 @@ TEST_P(NodesInPictures, DoNotPopInADescent) {
   }
 }
 
+// The same of whole pictures that come one after another, each of which makes nodes for a few milliseconds.
+TEST_P(NodesInPictures, DoNotPopInALiveDescent) {
+  if (test::by_effort(1, 0, 0) == 0) GTEST_SKIP() << "takes minutes";
+  if (GetParam() == Ground::persistent_grid) GTEST_SKIP() << "grids give way to the next meanwhile";
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  View view;
+  view.width = 320;
+  view.height = 180;
+  Renderer renderer;
+  Scene scene = mountains_by_day("blue", GetParam());
+  const auto picture = [&](const Pose& levels_for, Effort effort) {
+    renderer.draw(scene, view, {Channel::color, effort, true, levels_for});
+    return developed_of(renderer, scene, view);
+  };
+  std::vector<double> of_all;
+  double most = 0.0;
+  for (double altitude = 1e7; altitude > 2.0; altitude *= 0.99) {
+    const double clearance = altitude / scene.planet.radius;
+    scene.camera.pitch = pitch_below_horizon(clearance);
+    stand_over_ground(scene, clearance / 0.99);
+    const Pose before = pose_of(scene, view);
+    stand_over_ground(scene, clearance);
+    const Image first = picture(before, of_all.empty() ? Effort::complete : Effort::live);
+    std::vector<double> changed = changes(first, picture(pose_of(scene, view), Effort::live));
+    most = std::max(most, part_of(changed, 0.999));
+    of_all.insert(of_all.end(), changed.begin(), changed.end());
+  }
+  if (std::getenv("TERRELLA_PRINT") != nullptr) std::printf("%.2f, %.2f\n", part_of(of_all, 0.999), most);
+  EXPECT_LT(part_of(of_all, 0.999), 0.5);  // measured: quadtree 0.42, triangles 0.41
+  EXPECT_LT(most, 2.0);                    // 1.74, 1.48
+}
+
 // A part, 0..1, of a way on which an eye leaves the grid that was made for it: down from high above, else northwards.
 Scene on_its_way(Scene scene, double clearance, double part) {
   if (clearance * scene.planet.radius > 1e5) {
