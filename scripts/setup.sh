@@ -48,6 +48,7 @@ native() {
   header_from libegl-dev EGL/egl.h
   header_from libpng-dev png.h
   header_from libgtest-dev gtest/gtest.h
+  header_from libgmock-dev gmock/gmock.h
   header_from libx11-dev X11/Xlib.h # hands and eyes of the tests of the window
   header_from libxtst-dev X11/extensions/XTest.h
   # A driver that draws without a graphics card, for the tests and for `terrella render`.

@@ -4,8 +4,8 @@
 #include "lib/finer_ground.glsl"
 #include "scene_block.glsl"
 
-// A texel a vertex, row after row of its node's along x (src/planet/node_mesh.hpp); nodes in node_rows (src/passes/node_meshes.hpp), and then beside the
-// first.
+// A texel a vertex, row after row of its node's along x (src/planet/node_mesh.hpp); nodes below one another, and those that are too many for
+// that beside the first.
 uniform sampler2D node_places;   // xyz: from the node's centre; w: height over the ground that pixels go on with
 uniform sampler2D node_coarser;  // what is added to them where the level above takes over
 uniform sampler2D node_slopes;   // xyz: gradient of the height, along the sphere; w: relief of Height
@@ -51,7 +51,7 @@ vec3 flat_place_of(vec3 place, float rise) {
 
 // Where the vertex is; tells pixels what it knows of the ground.
 NodeVertex node_vertex() {
-  const int rows = 2048;
+  int rows = textureSize(node_places, 0).y;
   int slot = int(node_centre.w);
   ivec2 texel = ivec2(node_corner.x + slot / rows * node_vertices, slot % rows);
   vec4 own = texelFetch(node_places, texel, 0);

@@ -28,8 +28,7 @@ NodePicture::NodePicture(const Scene& scene, const View& view)
       patch_(grid_->patch(needs_.ground_cells)),
       ranges_(ranges_of(*grid_, needs_)),
       sight_(sight_of_nodes(scene, needs_, pose_, view)),
-      cache_(node_room(vertices_of_patch(patch_.sides, patch_.cells))),
-      vertices_(static_cast<std::size_t>(node_room(vertices_of_patch(patch_.sides, patch_.cells)))) {
+      cache_(node_room(vertices_of_patch(patch_.sides, patch_.cells))) {
   for (const Skirt skirt : {Skirt::without, Skirt::with}) {
     for (unsigned list = 0; list < patch_.lists(); ++list) {
       triangles_.at(static_cast<std::size_t>(skirt)).at(list) = node_triangles(patch_, list, skirt == Skirt::with);
@@ -58,7 +57,9 @@ bool NodePicture::make_missing() {
 bool NodePicture::make(const GridNode& node) {
   if (!cache_.has_room()) return false;
   const NodeFrame made = make_node(*grid_, patch_, node, terrain_, scratch_);
-  vertices_[static_cast<std::size_t>(*cache_.insert(node, made))] = scratch_;
+  const auto slot = static_cast<std::size_t>(*cache_.insert(node, made));
+  if (slot >= vertices_.size()) vertices_.resize(slot + 1);
+  vertices_[slot] = scratch_;
   ++made_;
   return true;
 }

@@ -86,6 +86,10 @@ double error_of_nodes(const Scene& scene, double pixel_angle, double apart) {
   return most;
 }
 
+// Cells along a side of nodes, at the most: of a persistent grid's, which are divided further away, there would be no
+// room for as many of the largest.
+int most_cells_of(Ground ground) { return ground == Ground::persistent_grid ? most_cells - 2 : most_cells; }
+
 unsigned sides_of_nodes(Ground ground) { return ground == Ground::triangle_lod ? 3 : 4; }
 
 // How far apart vertices of nodes are, as a part of their distance.
@@ -112,7 +116,7 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
     return error_of_nodes(scene, pixel_angle, part_between_vertices(split, cells)) <= scene.quality.pixel_error;
   };
   const double least = least_split(sides_of_nodes(needs.ground) == 3 ? 1.0 : std::numbers::sqrt2);
-  for (int cells = least_cells; cells <= most_cells; cells += 2) {
+  for (int cells = least_cells; cells <= most_cells_of(needs.ground); cells += 2) {
     needs.ground_cells = cells;
     if (is_enough(least, cells, usual_pixel)) break;
   }
