@@ -66,7 +66,7 @@ bool NodePicture::make(const GridNode& node) {
 
 std::vector<DrawnNode> NodePicture::hidden() const {
   std::vector<DrawnNode> all;
-  for (const NodeSilhouette& silhouette : choice_.silhouettes) {
+  for (const NodeSilhouette& silhouette : choice_.silhouettes.all) {
     const bool is_drawn = std::any_of(choice_.drawn.begin(), choice_.drawn.end(),
                                       [&](const DrawnNode& drawn) { return drawn.slot == silhouette.drawn.slot; });
     if (!is_drawn) all.push_back(silhouette.drawn);

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.hpp"
-#include "planet/node_horizon.hpp"
 
 namespace terrella {
 namespace {
@@ -178,22 +177,6 @@ class Choice {
 
 }  // namespace
 
-double NodeSight::top_of_sea(const NodeOutline& node) const {
-  return sea + std::min(sea_lift * (glm::distance(eye, node.middle) + node.half_width), most_sea_lift);
-}
-
-NodeSight node_sight(const Pose& pose, const View& view, const Rows& rows, double occluder) {
-  const double w = view.width, top = view.height - rows.end, bottom = view.height - rows.first;
-  const std::array<glm::dvec2, 4> corners = {{{0.0, top}, {0.0, bottom}, {w, bottom}, {w, top}}};
-  NodeSight sight = {pose.eye, {}, occluder};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec3 from = ray_through(pose, view, corners.at(i));
-    const glm::dvec3 to = ray_through(pose, view, corners.at((i + 1) % 4));
-    sight.sides.at(i) = glm::normalize(glm::cross(to, from));
-  }
-  return sight;
-}
-
 NodeDistance distance_of(const NodeOutline& node, const NodeEye& eye, double widest) {
   const double nearest = std::hypot(eye.lift, nearest_to(node, eye.direction));
   return {nearest, std::max(nearest, std::hypot(eye.lift, farthest_from(node, eye.direction)) - widest)};
@@ -211,7 +194,7 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
   std::swap(choice.level, choice.next);
   // Level by level, so that each node knows what its neighbours above have become.
   while (!choice.level.empty()) chooser.pass_level();
-  if (sight.mountains_hide) leave_out_hidden(grid, sight, ranges.cells, cache, choice);
+  if (sight.mountains_hide) leave_out_hidden(grid, sight, ranges.cells, cache, choice.silhouettes, choice.drawn);
   for (DrawnNode& drawn : choice.drawn) drawn.coarser = chooser.coarse_around(drawn.slot);
   choice.lacks = std::any_of(choice.missing.begin(), choice.missing.end(),
                              [](const MissingNode& missing) { return !missing.is_ahead; });

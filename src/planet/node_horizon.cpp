@@ -146,12 +146,12 @@ NodeSilhouette silhouette_of(const Eye& eye, const NodeOutline& outline, const R
 }  // namespace
 
 void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, const NodeCache& cache,
-                      NodeChoice& choice) {
+                      NodeSilhouettes& of_all, std::vector<DrawnNode>& drawn) {
   const Eye eye(sight.eye);
-  auto& silhouettes = choice.silhouettes;
+  auto& silhouettes = of_all.all;
   silhouettes.clear();
-  for (const DrawnNode& drawn : choice.drawn) {
-    const NodeCache::Entry& entry = cache.at(drawn.slot);
+  for (const DrawnNode& node : drawn) {
+    const NodeCache::Entry& entry = cache.at(node.slot);
     const NodeFrame& frame = entry.frame;
     // Flat triangles lie below the sphere of their corners.
     const double apart = 2.0 * grid.spacing(entry.node.level, cells);
@@ -159,10 +159,10 @@ void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, c
     NodeSilhouette seen = silhouette_of(
         eye, frame.outline,
         {std::max(1.0 + frame.shown.highest, sea), (1.0 + frame.shown.lowest) * (1.0 - 0.5 * apart * apart)});
-    seen.drawn = drawn;
+    seen.drawn = node;
     silhouettes.push_back(seen);
   }
-  auto& [nearest_first, hiding] = choice.orders;
+  auto& [nearest_first, hiding] = of_all.orders;
   nearest_first.clear();
   hiding.clear();
   for (std::size_t i = 0; i < silhouettes.size(); ++i) {
@@ -173,7 +173,7 @@ void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, c
   std::sort(hiding.begin(), hiding.end());
 
   Skyline skyline;
-  choice.drawn.clear();
+  drawn.clear();
   std::size_t next = 0;
   for (const auto& [nearest, index] : nearest_first) {
     const NodeSilhouette& seen = silhouettes[index];
@@ -182,7 +182,7 @@ void leave_out_hidden(const NodeGrid& grid, const NodeSight& sight, int cells, c
       skyline.add(before.from, before.to, before.bottom);
     }
     if (!seen.is_known || !skyline.hides(seen.from - seen.widened, seen.to + seen.widened, seen.top))
-      choice.drawn.push_back(seen.drawn);
+      drawn.push_back(seen.drawn);
   }
 }
 
