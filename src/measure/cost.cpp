@@ -64,7 +64,8 @@ void add_nodes(Sum& sum, const Needs& needs) {
   const int layers = needs.water != Water::none ? 2 : 1;
   sum.draw(layers * room * triangles, static_cast<int>(lists) * layers);
   for (int n = 0; n < kept; ++n) {
-    for (const gl::Format format : node_formats) sum.texels(vertices * room, gl::bytes_of(format));
+    // Two nodes a row, where there are so many; a last one may be alone.
+    for (const gl::Format format : node_formats) sum.texels(vertices * (room + 1), gl::bytes_of(format));
     sum.bytes(layers * room * vec4s_a_node * std::int64_t{16} + lists * 6 * triangles + 8 * (vertices + rim));
   }
 }

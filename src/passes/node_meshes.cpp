@@ -41,10 +41,11 @@ void NodeMeshes::make_room(const NodeGrid& grid, int cells) {
   patch_ = grid.patch(cells);
   const auto count = patch_.vertices.size();
   const int vertices_of_each = static_cast<int>(count), room = node_room(vertices_of_each);
-  const int beside = (room + node_rows - 1) / node_rows;
+  const int beside = (room + most_node_rows - 1) / most_node_rows;
+  rows_ = (room + beside - 1) / beside;
   cache_ = NodeCache(room);
   for (std::size_t i = 0; i < textures_.size(); ++i)
-    textures_.at(i) = std::make_unique<gl::Image>(beside * vertices_of_each, node_rows, node_formats.at(i));
+    textures_.at(i) = std::make_unique<gl::Image>(beside * vertices_of_each, rows_, node_formats.at(i));
   std::vector<glm::ivec2> vertices;
   for (std::size_t n = 0; n < count; ++n) vertices.emplace_back(n, patch_.vertices[n].touches);
   for (const std::uint16_t n : patch_.rim) vertices.emplace_back(n, -static_cast<int>(patch_.vertices[n].touches));
@@ -101,7 +102,7 @@ bool NodeMeshes::make(const Scene& scene, const GridNode& node) {
   if (is_full_) return false;
   const NodeFrame made = make_node(*grid_, patch_, node, *terrain_, vertices_);
   const int slot = *cache_.insert(node, made);
-  const int row = slot % node_rows, column = slot / node_rows * static_cast<int>(patch_.vertices.size());
+  const int row = slot % rows_, column = slot / rows_ * static_cast<int>(patch_.vertices.size());
   textures_[0]->set_row(row, vertices_.place, column);
   textures_[1]->set_row(row, vertices_.coarser, column);
   textures_[2]->set_row(row, vertices_.slope, column);

@@ -18,7 +18,7 @@ namespace terrella {
 
 // Of the textures that hold what NodeVertices has, in its order: a texel a vertex. Rows hold nodes one after another,
 // no more of them than OpenGL ES 3.0 lets a texture have, and then on beside the first.
-inline constexpr int node_rows = 2048;
+inline constexpr int most_node_rows = 2048;
 inline constexpr std::array node_formats = {gl::Format::rgba32f, gl::Format::rgba32f, gl::Format::rgba16f,
                                             gl::Format::rgba16f, gl::Format::rgba16f, gl::Format::rgba16f,
                                             gl::Format::rgba32f};
@@ -68,6 +68,7 @@ class NodeMeshes {
   NodeVertices vertices_;
   std::shared_ptr<const NodeGrid> grid_;
   NodePatch patch_;
+  int rows_ = 0;  // of the textures
   NodeRanges ranges_;
   std::optional<f64::Terrain> terrain_;
   std::optional<gl::HeightTexture> heights_;  // of its map
