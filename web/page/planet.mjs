@@ -21,6 +21,7 @@ export class Planet {
   #around;
   #program = null;      // the module's exports
   #realSize = null;     // a promise, while the program for planets of real size is on its way
+  #realSizeFailed = 0;  // times that it could not be fetched
   #maps = [];           // files of maps of heights: as many as a program keeps, the last one last
   #begun = false;       // the program has the context
   #context = null;
@@ -98,6 +99,7 @@ export class Planet {
 
   #wantRealSize() {
     this.#realSize ??= this.#becomeRealSize().catch(error => {
+      ++this.#realSizeFailed;
       this.#note([`The program for planets of real size could not be fetched, so that the ground near the eye stays coarse: ${error.message}`]);
     }).finally(() => {
       this.#realSize = null;
@@ -106,7 +108,9 @@ export class Planet {
   }
 
   async #becomeRealSize() {
-    const module = await import('./terrella_real_size.js');
+    // Some browsers remember of a module that it could not be fetched: then it is asked for by another address.
+    const again = `${new URL('terrella_real_size.js', import.meta.url)}?${this.#realSizeFailed}`;
+    const module = await (this.#realSizeFailed === 0 ? import('./terrella_real_size.js') : import(again));
     const program = await module.default(this.#host());
     // Maps first, those as well that a hand gives meanwhile; then the rest at once, while no hand holds anything.
     const given = new Set();
