@@ -21,6 +21,7 @@ Terrain scene_terrain() {
   t.craters.seed = uint(planet_seed);
   t.ice.sea = water_level;
   t.ice.sine = polar_sine(water_ice_latitude);
+  t.ice.thickness = ice_thickness(terrain_height);
   t.ice.seed = uint(planet_seed);
   return t;
 }

@@ -5,6 +5,7 @@
 struct Ice {
   float sea;   // height of the water over the sphere, radii; at most 0: no water
   float sine;  // of the latitude from which ice lies on it; above 1: nowhere
+  float thickness;  // over the water, radii
   uint seed;
 };
 
@@ -13,8 +14,9 @@ float polar_sine(float latitude) {
   return latitude < 90.0 ? sin(radians(latitude)) : 2.0;
 }
 
-// Height of ice over the water, radii.
-const float ice_thickness = 0.0012;
+// Height of ice over the water, radii: a fiftieth of the highest ground's, so that it is as flat beside mountains on a planet of
+// real size as on a miniature. relief: of that ground, radii.
+float ice_thickness(float relief) { return clamp(0.02 * relief, 1.0e-5, 0.0012); }
 
 // The floe around a place: of strewn points the nearest one's cell (Worley 1996).
 struct Floe {
@@ -65,5 +67,5 @@ bool ice_near(vec3 direction, Ice ice) {
 
 // Height of the ice's upper side over the sphere, radii; under water, of its foot, so that it ends in a slope.
 float ice_height(float cover, Ice ice) {
-  return ice.sea + clamp(cover, -0.04, ice_thickness);
+  return ice.sea + clamp(cover, -0.04, ice.thickness);
 }

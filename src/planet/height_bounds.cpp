@@ -106,7 +106,7 @@ HeightRange heights_around(const f64::Terrain& terrain, const HeightRange& compu
                 : HeightRange{changed(computed.lowest, -change), changed(computed.highest, change)};
   }
   // Ice lies over what is lower: its own thickness is all that it can change from place to place.
-  if (may_freeze) range.highest = std::max({range.highest, computed.highest, terrain.ice.sea + f64::ice_thickness});
+  if (may_freeze) range.highest = std::max({range.highest, computed.highest, terrain.ice.sea + terrain.ice.thickness});
   return range;
 }
 

@@ -194,7 +194,8 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
 double relief_top(const Scene& scene) {
   double top = 1.0;
   if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
-  if (has_ground(scene) && has_ice(scene)) top = std::max(top, water_radius(scene) + f64::ice_thickness);
+  if (has_ground(scene) && has_ice(scene))
+    top = std::max(top, water_radius(scene) + f64::ice_thickness(scene.terrain.height / scene.planet.radius));
   if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
   return top;
 }

@@ -37,6 +37,7 @@ Terrain made_terrain(const Scene& scene) {
   terrain.craters.seed = seed;
   terrain.ice.sea = static_cast<Real>(water_level(scene) / scene.planet.radius);
   terrain.ice.sine = static_cast<Real>(f64::polar_sine(scene.water.ice_latitude));
+  terrain.ice.thickness = static_cast<Real>(f64::ice_thickness(from.height / scene.planet.radius));
   terrain.ice.seed = seed;
   if (const HeightMap* map = scene.terrain.map.map.get()) terrain.map = {map, map->serial()};
   return terrain;

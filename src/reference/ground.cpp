@@ -54,7 +54,7 @@ Ground::Ground(const Scene& scene, double footprint)
   if (has_map) beyond_map_ = f64::first_layer_beyond(map_->texel(), terrain_);
   highest_ = 1.0 + (terrain_.octaves > 0 || has_map ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
-    highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + f64::ice_thickness);
+    highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + terrain_.ice.thickness);
   double frequency = terrain_.craters.frequency;
   for (int i = 0; i < terrain_.craters.sizes; ++i, frequency *= f64::crater_step)
     crater_cells_ += terrain_.craters.depth / frequency;
@@ -144,7 +144,7 @@ Range Ground::ranges_over(const Range& means, const Range& ridges) const {
 }
 
 Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
-  const double ice = may_freeze(terrain_.ice, direction, chord) ? terrain_.ice.sea + f64::ice_thickness : 0.0;
+  const double ice = may_freeze(terrain_.ice, direction, chord) ? terrain_.ice.sea + terrain_.ice.thickness : 0.0;
   const bool has_map = map_ != nullptr;
   if ((terrain_.octaves == 0 && !has_map) || terrain_.height <= 0.0) return {0.0, ice};
   const Range map = map_around(direction, chord);

@@ -101,7 +101,7 @@ TEST(SinglePrecision, TerrainHeight) {
   t.craters.frequency = 2.0F;
   t.craters.sizes = 6;
   t.craters.seed = 3U;
-  t.ice = {0.0F, 2.0F, 3U};
+  t.ice = {0.0F, 2.0F, 0.0012F, 3U};
   f64::Terrain d;
   d.height = exact(t.height);
   d.frequency = exact(t.frequency);
@@ -116,7 +116,7 @@ TEST(SinglePrecision, TerrainHeight) {
   d.craters.frequency = 2.0;
   d.craters.sizes = 6;
   d.craters.seed = 3U;
-  d.ice = {0.0, 2.0, 3U};
+  d.ice = {0.0, 2.0, double{0.0012F}, 3U};
   for (const float ranges : {0.0F, 0.3F}) {
     t.ranges = {ranges, 1};
     d.ranges = {exact(ranges), 1};

@@ -114,7 +114,7 @@ TEST_P(OnGpu, TerrainHeight) {
                        "t.lacunarity = 2.03; t.power = 2.1;"
                        "t.ridged = false; t.sharpness = 14.0; t.ranges.part = 0.3; t.ranges.first = 1; t.seed = 3u;"
                        "t.craters.depth = 1.0; t.craters.frequency = 2.0; t.craters.sizes = 6; t.craters.seed = 3u;"
-                       "t.ice.sea = 0.3; t.ice.sine = 0.8; t.ice.seed = 3u;"
+                       "t.ice.sea = 0.3; t.ice.sine = 0.8; t.ice.thickness = 0.0012; t.ice.seed = 3u;"
                        "Height h = terrain_height_at(a.xyz, t, 0.0001); result = vec4(h.gradient, h.value);",
                        in);
   f64::Terrain t;
@@ -132,7 +132,7 @@ TEST_P(OnGpu, TerrainHeight) {
   t.craters.frequency = 2.0;
   t.craters.sizes = 6;
   t.craters.seed = 3U;
-  t.ice = {0.3, 0.8, 3U};
+  t.ice = {0.3, 0.8, double{0.0012F}, 3U};
   for (std::size_t i = 0; i < out.size(); ++i) {
     const f64::Height expected = f64::terrain_height_at(glm::dvec3(in[2 * i]), t, double{0.0001F});
     ASSERT_NEAR(out[i].w, expected.value, 1.5e-6);

@@ -23,6 +23,7 @@ inline f64::Terrain hills() {
   t.craters.seed = 3U;
   t.ice.sea = 0.0;
   t.ice.sine = 2.0;
+  t.ice.thickness = 0.0012;
   t.ice.seed = 3U;
   return t;
 }

@@ -8,7 +8,7 @@
 namespace terrella {
 namespace {
 
-const f64::Ice polar = {0.04, std::sin(1.2), 5U};
+const f64::Ice polar = {0.04, std::sin(1.2), 0.0012, 5U};
 
 TEST(Ice, CoversThePolesAndLeavesTheRestAlone) {
   test::Places places(1);
@@ -35,7 +35,7 @@ TEST(Ice, CoversThePolesAndLeavesTheRestAlone) {
 }
 
 TEST(Ice, LiesALittleOverTheWaterAndEndsInASlopeUnderIt) {
-  EXPECT_EQ(f64::ice_height(1.0, polar), polar.sea + f64::ice_thickness);
+  EXPECT_EQ(f64::ice_height(1.0, polar), polar.sea + polar.thickness);
   EXPECT_EQ(f64::ice_height(0.0, polar), polar.sea);
   EXPECT_EQ(f64::ice_height(-0.01, polar), polar.sea - 0.01);
   EXPECT_EQ(f64::ice_height(-1.0, polar), polar.sea - 0.04);
@@ -83,7 +83,7 @@ TEST(PolarSine, IsThatOfTheLatitudeAndNowhereFromThePoleOn) {
 
 // At its edge most floes are missing, further in cracks are left between them, and then it is whole.
 TEST(Ice, ClosesUpFromItsEdgeInwards) {
-  const f64::Ice wide = {0.04, 0.7, 5U};
+  const f64::Ice wide = {0.04, 0.7, 0.0012, 5U};
   const auto covered = [&](double within) {
     int count = 0;
     for (int i = 0; i < 5000; ++i) {
