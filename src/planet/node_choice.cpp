@@ -29,9 +29,8 @@ class Choice {
     choice_.next.clear();
     for (const int slot : choice_.level) {
       const GridNode node = cache_.at(slot).node;
-      const double edge = grid_.edge(node.level);
-      const NodeDistance distance = distance_of(cache_.at(slot).frame.outline, eye_, ranges_.reach * edge);
-      const double wanted = node.level < ranges_.deepest ? ranges_.split * edge : 0.0;
+      const NodeDistance distance = distance_to(cache_.at(slot));
+      const double wanted = split_within(node.level);
       const bool should_split = distance.to_split < wanted;
       Quarters quarters;
       bool splits = distance.to_split < look_ahead * wanted &&
@@ -41,7 +40,7 @@ class Choice {
       if (splits) {
         for (const int quarter : quarters) add_visible(quarter);
       } else {
-        const bool as_above = node.level > 0 && distance.nearest >= ranges_.morph_end() * edge;
+        const bool as_above = node.level > 0 && distance.nearest >= ranges_.morph_end() * grid_.edge(node.level);
         cache_.make_leaf(slot, as_above);
         choice_.drawn.push_back({slot, 0, as_above});
       }
@@ -53,10 +52,9 @@ class Choice {
   void look_around() {
     for (std::size_t n = 0; n < choice_.around.size(); ++n) {
       const NodeCache::Entry& entry = cache_.at(choice_.around[n]);
-      const double edge = grid_.edge(entry.node.level);
-      const double distance = distance_of(entry.frame.outline, eye_, ranges_.reach * edge).to_split;
+      const double distance = distance_to(entry).to_split;
       Quarters quarters;
-      if (entry.node.level >= ranges_.deepest || distance >= look_ahead * ranges_.split * edge) continue;
+      if (distance >= look_ahead * split_within(entry.node.level)) continue;
       if (!find_quarters(entry.node, distance, true, quarters)) continue;
       for (const int quarter : quarters) {
         if (is_around(cache_.at(quarter))) choice_.around.push_back(quarter);
@@ -89,6 +87,15 @@ class Choice {
 
  private:
   using Quarters = std::array<int, 4>;  // slots
+
+  [[nodiscard]] NodeDistance distance_to(const NodeCache::Entry& entry) const {
+    return distance_of(entry.frame.outline, eye_, ranges_.reach * grid_.edge(entry.node.level));
+  }
+
+  // Nearer than this a node of a level is split; 0: it never is.
+  [[nodiscard]] double split_within(int level) const {
+    return level < ranges_.deepest ? ranges_.split * grid_.edge(level) : 0.0;
+  }
 
   void add_visible(int slot) {
     cache_.use(slot);
