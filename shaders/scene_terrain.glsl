@@ -14,6 +14,7 @@ Terrain scene_terrain() {
   t.sharpness = terrain_ridge_sharpness;
   t.seed = uint(planet_seed);
   t.ranges.part = terrain_ranges;
+  t.ranges.low = terrain_foothills;
   t.ranges.first = terrain_range_layer;
   t.craters.depth = terrain_craters;
   t.craters.frequency = terrain_crater_frequency;

@@ -4,10 +4,12 @@
 #include "lib/noise.glsl"
 
 // Mountain ranges on high ground: where the mean of all layers is high, the cube of the mean of ridges of the same noise
-// rises from it. So valleys are wide and smooth, and crests narrow and rough, as erosion leaves them.
+// rises from it. So valleys are wide and smooth, and crests narrow and rough, as erosion leaves them. A part of them stands on
+// low ground as well, so that plains and shores have hills, dunes and stones.
 struct Ranges {
   float part;  // of the height that they may take, 0..1; 0: there are none
   int first;   // layer whose ridges are the broadest
+  float low;   // part of them that stands on low ground, 0..1
 };
 
 struct Terrain {
@@ -104,13 +106,13 @@ float openness_of(float relief) {
   return 0.5 + 0.5 * x / sqrt(1.0 + x * x);
 }
 
-// How much of the ranges stands where the mean of all layers is h: none on low ground, all on high.
-float range_cover(float h) { return smoothstep(0.5, 0.75, h); }
+// How much of the ranges stands where the mean of all layers is h: low (0..1) of them on low ground, all on high.
+float range_cover(float h, float low) { return mix(low, 1.0, smoothstep(0.5, 0.75, h)); }
 
 // The derivative of range_cover by h.
-float range_cover_slope(float h) {
+float range_cover_slope(float h, float low) {
   float t = clamp(4.0 * (h - 0.5), 0.0, 1.0);
-  return 24.0 * t * (1.0 - t);
+  return 24.0 * (1.0 - low) * t * (1.0 - t);
 }
 
 // The ridges of the ranges so far.
@@ -155,10 +157,11 @@ Relief relief_of(Terrain t, float mean, float ridges) {
   r.by_shape = 0.0;
   if (t.octaves == 0) return r;
   float smooth_height = (1.0 - t.ranges.part) * t.height, ranges = t.ranges.part * t.height;
-  float square = ridges * ridges;
-  r.value = height_power(mean, smooth_height, t.power) + ranges * range_cover(mean) * square * ridges;
-  r.by_mean = height_power_slope(mean, smooth_height, t.power) + ranges * range_cover_slope(mean) * square * ridges;
-  r.by_shape = 3.0 * ranges * range_cover(mean) * square;
+  float cover = range_cover(mean, t.ranges.low), square = ridges * ridges;
+  r.value = height_power(mean, smooth_height, t.power) + ranges * cover * square * ridges;
+  r.by_mean = height_power_slope(mean, smooth_height, t.power) +
+              ranges * range_cover_slope(mean, t.ranges.low) * square * ridges;
+  r.by_shape = 3.0 * ranges * cover * square;
   return r;
 }
 

@@ -204,8 +204,9 @@ void decide_ground(Needs& needs, const Scene& scene, const Pose& pose, Decisions
 // rad.
 int ripple_layers(double frequency, double pixel) {
   constexpr int least = 2, most = 8;
+  constexpr double finest = 5e5;  // of which single precision places cells on the sphere to a thirtieth
   int layers = least;
-  for (double f = frequency * 2.3 * 2.3; layers < most && 1.0 / f > 4.0 * pixel; f *= 2.3) ++layers;
+  for (double f = frequency * 2.3 * 2.3; layers < most && f < finest && 1.0 / f > 4.0 * pixel; f *= 2.3) ++layers;
   return layers;
 }
 
@@ -288,6 +289,16 @@ double blend_turn(double persistence, int octaves, double may_be_lost) {
   return turn;
 }
 
+// From the clouds to the highest that lies whole under them (planet radii): mountains that pierce them do so anyway.
+double gap_below_clouds(const Scene& scene) {
+  const double clouds = cloud_radius(scene), sea = has_water(scene) ? water_radius(scene) : 1.0;
+  double gap = std::abs(clouds - sea);
+  for (const double top : {ice_top(scene), ground_top(scene)}) {
+    if (top < clouds) gap = std::min(gap, clouds - top);
+  }
+  return gap;
+}
+
 void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& clouds = scene.clouds;
   if (!has_clouds(scene)) {
@@ -298,9 +309,8 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   needs.clouds = Clouds::shell;
   decide.add("clouds", name_of(needs.clouds), "the only model of clouds in this version");
   const double pixel = pose.pixel_angle * std::abs(glm::length(pose.eye) - cloud_radius(scene));
-  // Nor may they dip into the sea, however small that is from afar.
-  const double gap = std::abs(cloud_radius(scene) - (has_water(scene) ? water_radius(scene) : 1.0));
-  needs.cloud_level = sphere_level(std::min(scene.quality.pixel_error * pixel, of_gap * gap));
+  // Nor may they dip into what lies under them, however small that is from afar.
+  needs.cloud_level = sphere_level(std::min(scene.quality.pixel_error * pixel, of_gap * gap_below_clouds(scene)));
   decide.add("clouds.level", needs.cloud_level,
              "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   needs.cloud_texels = scene.quality.cloud_texels;

@@ -191,13 +191,18 @@ PictureBox box_of_sphere(const Pose& pose, const View& view, double radius) {
   return {part(left, edge_x, x), part(bottom, edge_y, y), part(right, edge_x, x), part(top, edge_y, y)};
 }
 
+double ground_top(const Scene& scene) {
+  return has_ground(scene) ? 1.0 + scene.terrain.height / scene.planet.radius : 1.0;
+}
+
+double ice_top(const Scene& scene) {
+  if (!has_ground(scene) || !has_ice(scene)) return 1.0;
+  return water_radius(scene) + f64::ice_thickness(scene.terrain.height / scene.planet.radius);
+}
+
 double relief_top(const Scene& scene) {
-  double top = 1.0;
-  if (has_ground(scene)) top = std::max(top, 1.0 + scene.terrain.height / scene.planet.radius);
-  if (has_ground(scene) && has_ice(scene))
-    top = std::max(top, water_radius(scene) + f64::ice_thickness(scene.terrain.height / scene.planet.radius));
-  if (has_water(scene)) top = std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest);
-  return top;
+  const double top = std::max(ground_top(scene), ice_top(scene));
+  return has_water(scene) ? std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest) : top;
 }
 
 double top_radius(const Scene& scene) {

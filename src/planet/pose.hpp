@@ -77,7 +77,13 @@ double picture_half_angle(const Pose& pose, const View& view);
 // What a sphere around the planet's centre can cover. radius: planet radii; around the eye, all of the picture.
 PictureBox box_of_sphere(const Pose& pose, const View& view, double radius);
 
-// The highest that ground and sea rise, radii.
+// As high as ground can rise, radii; 1 where there is none.
+double ground_top(const Scene& scene);
+
+// As high as ice on the sea can rise, radii; 1 where there is none.
+double ice_top(const Scene& scene);
+
+// The highest that ground, ice and sea rise, radii.
 double relief_top(const Scene& scene);
 
 // The same of clouds as well.

@@ -29,6 +29,7 @@ Terrain made_terrain(const Scene& scene) {
   terrain.ridged = from.ridged;
   terrain.sharpness = static_cast<Real>(from.ridge_sharpness);
   terrain.ranges.part = static_cast<Real>(from.ranges);
+  terrain.ranges.low = static_cast<Real>(from.foothills);
   terrain.ranges.first = from.range_layer;
   terrain.seed = seed;
   terrain.craters.depth = static_cast<Real>(from.craters);

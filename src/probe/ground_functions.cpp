@@ -136,7 +136,9 @@ Function terrain_height() {
                     any,
                     true,
                     {},
-                    {{"part", Kind::number, "", parts}, {"first", Kind::whole, "", {0.0, 24.0}}}});
+                    {{"part", Kind::number, "", parts},
+                     {"first", Kind::whole, "", {0.0, 24.0}},
+                     {"low", Kind::number, "", parts}}});
   f.fit = [](Json& args, Random& random) {
     // Ridges of a smaller part of all layers are so steep that single precision holds no squares of it.
     constexpr double faintest = 1e-9;
@@ -148,12 +150,13 @@ Function terrain_height() {
   made.prepare = [of_all = made.prepare](const Json& args) {
     Json all = args;
     if (!has(args, "ranges")) all["ranges"] = {{"part", 0.0}, {"first", 0}};
+    if (all["ranges"].is_object() && !has(all["ranges"], "low")) all["ranges"]["low"] = 0.0;
     return of_all(all);
   };
   made.allowed = [of_arguments = made.allowed](const Case& c) {
     Numbers allowed = of_arguments(c);
     HeightCase of(c);
-    of.terrain.ranges = {c.numbers[14], static_cast<int>(c.numbers[15])};
+    of.terrain.ranges = {c.numbers[14], static_cast<int>(c.numbers[15]), c.numbers[16]};
     const f64::Relief relief = f64::relief_of(of.terrain, of.mean, of.shape);
     const double layers = layers_for_ridges(c);
     allow_noise(allowed, of, relief.by_mean, relief.by_mean, of.terrain.ridged);

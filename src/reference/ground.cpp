@@ -138,7 +138,7 @@ Range Ground::heights_on(const Range& map, const Range& added) const {
 
 Range Ground::ranges_over(const Range& means, const Range& ridges) const {
   const auto height = [&](double mean, double ridge) {
-    return terrain_.ranges.part * terrain_.height * f64::range_cover(mean) * std::pow(std::max(ridge, 0.0), 3.0);
+    return terrain_.ranges.part * terrain_.height * f64::range_cover(mean, terrain_.ranges.low) * std::pow(std::max(ridge, 0.0), 3.0);
   };
   return {height(means.least, ridges.least), height(means.most, ridges.most)};
 }

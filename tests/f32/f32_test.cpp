@@ -118,8 +118,8 @@ TEST(SinglePrecision, TerrainHeight) {
   d.craters.seed = 3U;
   d.ice = {0.0, 2.0, double{0.0012F}, 3U};
   for (const float ranges : {0.0F, 0.3F}) {
-    t.ranges = {ranges, 1};
-    d.ranges = {exact(ranges), 1};
+    t.ranges = {ranges, 1, 0.1F};
+    d.ranges = {exact(ranges), 1, exact(0.1F)};
     double worst = 0.0, worst_gradient = 0.0;
     for (int i = 0; i < tries / 4; ++i) {
       const glm::vec3 direction(places.on_sphere());

@@ -127,7 +127,7 @@ TEST(HeightMap, TendsToItsMeanAsSamplesMoveApart) {
 // Ranges are asked for, which a map has of its own.
 f64::Terrain hills_on(const SharedHeightMap& map) {
   f64::Terrain t = test::hills();
-  t.ranges = {0.5, 1};
+  t.ranges = {0.5, 1, 0.0};
   t.map = texels_of(map);
   return t;
 }

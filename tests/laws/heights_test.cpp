@@ -77,7 +77,7 @@ std::vector<f64::Terrain> kinds() {
       f64::Terrain t = hills();
       t.ridged = ridged;
       t.craters.depth = ridged ? 0.0 : 1.0;
-      t.ranges = {ranges, 2};
+      t.ranges = {ranges, 2, 0.2};
       all.push_back(t);
     }
   }
@@ -114,7 +114,7 @@ TEST(TerrainHeight, GradientIsTheDerivativeAlongTheSphere) {
 TEST(TerrainHeight, RangesStandOnHighGroundOnly) {
   Places places(28U);
   f64::Terrain with = hills(), without = hills();
-  with.ranges = {0.5, 2};
+  with.ranges = {0.5, 2, 0.0};
   int low = 0, high = 0;
   for (int i = 0; i < 5000; ++i) {
     const glm::dvec3 d = places.on_sphere();
@@ -131,6 +131,21 @@ TEST(TerrainHeight, RangesStandOnHighGroundOnly) {
   }
   EXPECT_GT(low, 1000);
   EXPECT_GT(high, 300);
+}
+
+// On low ground the ranges are so much of what they are on high ground, and no more there.
+TEST(Relief, HasFoothillsOnLowGround) {
+  f64::Terrain with = hills(), without = hills();
+  with.ranges = {0.5, 2, 0.1};
+  without.ranges = {0.5, 2, 0.0};
+  for (const double ridges : {0.1, 0.5, 0.9}) {
+    const double whole = 0.5 * with.height * ridges * ridges * ridges;
+    for (const double mean : {0.1, 0.3, 0.499}) {
+      const double smooth = f64::relief_of(without, mean, ridges).value;
+      EXPECT_NEAR(f64::relief_of(with, mean, ridges).value, smooth + 0.1 * whole, 1e-15);
+    }
+    EXPECT_EQ(f64::relief_of(with, 0.8, ridges).value, f64::relief_of(without, 0.8, ridges).value);
+  }
 }
 
 // Pixels go on with the means where vertices left off: to what vertices so near to each other would hold.
@@ -249,7 +264,7 @@ Terrain with_faint_ranges(double persistence) {
   t.lacunarity = 2.0F;
   t.power = 1.0F;
   t.sharpness = 8.0F;
-  t.ranges = {0.5F, 16};
+  t.ranges = {0.5F, 16, 0.0F};
   return t;
 }
 

@@ -15,7 +15,7 @@ inline f64::Terrain hills() {
   t.power = 2.1;
   t.ridged = false;
   t.sharpness = 14.0;
-  t.ranges = {0.0, 0};
+  t.ranges = {0.0, 0, 0.0};
   t.seed = 3U;
   t.craters.depth = 0.0;
   t.craters.frequency = 3.0;

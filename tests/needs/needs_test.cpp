@@ -112,6 +112,19 @@ const Case cases[] = {
      [](const Needs& n) { return n.ripple_layers == 0; }},
     {"no clouds", [](Scene& s) { s.clouds.model = choice("clouds.model", "none"); },
      [](const Needs& n) { return n.clouds == Clouds::none && n.cloud_octaves == 0; }},
+    {"clouds a little over the sea, as fine as keeps them out of it",
+     [](Scene& s) {
+       s.water.ice_latitude = 90.0;
+       s.clouds.height = s.water.level + 0.0012;
+     },
+     [](const Needs& n) { return n.cloud_level == 5; }},
+    {"and finer over ice, which is nearer to them",
+     [](Scene& s) {
+       s.water.ice_latitude = 60.0;
+       s.terrain.height = 0.05;
+       s.clouds.height = s.water.level + 0.0012;
+     },
+     [](const Needs& n) { return n.cloud_level == 6; }},
     {"clouds of no coverage", [](Scene& s) { s.clouds.coverage = 0.0; },
      [](const Needs& n) { return n.clouds == Clouds::none; }},
     {"clouds of no density", [](Scene& s) { s.clouds.density = 0.0; },

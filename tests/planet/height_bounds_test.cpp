@@ -52,7 +52,7 @@ TEST(HeightBounds, HoldTheWholeGroundOfEveryPreset) {
   for (const Preset& preset : presets()) {
     if (!has_ground(preset.scene)) continue;
     f64::Terrain terrain = exact_terrain_of(preset.scene);
-    if (preset.name.size() % 2 == 0) terrain.ranges = {0.6, 2};
+    if (preset.name.size() % 2 == 0) terrain.ranges = {0.6, 2, 0.1};
     expect_whole_ground_within(terrain, places, std::string(preset.name));
   }
 }
@@ -72,7 +72,7 @@ TEST(HeightBounds, HoldRangesWherePowerIsNone) {
   test::Places places(6);
   f64::Terrain terrain = exact_terrain_of(find_preset("blue")->scene);
   terrain.power = 0.0;
-  terrain.ranges = {0.6, 2};
+  terrain.ranges = {0.6, 2, 0.1};
   for (int n = 0; n < 20; ++n) expect_whole_ground_within(terrain, places, "flat");
 }
 

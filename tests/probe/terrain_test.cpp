@@ -77,6 +77,9 @@ TEST(ProbedTerrain, HasRanges) {
   Json args = layers_of(scene);
   args["ranges"] = {{"part", 0.7}, {"first", 3}};
   expect_ground_of(scene, "terrain_height", args);
+  scene.terrain.foothills = 0.2;
+  args["ranges"]["low"] = 0.2;
+  expect_ground_of(scene, "terrain_height", args);
 }
 
 // Making a map smooths it around the poles: what the request holds has been smoothed once and is so again.
