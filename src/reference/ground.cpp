@@ -7,6 +7,8 @@
 #include "planet/noise_bounds.hpp"
 #include "planet/terrain.hpp"
 #include "reference/first_hit.hpp"
+#include "reference/ice_bounds.hpp"
+#include "reference/noise_within.hpp"
 
 namespace terrella::reference {
 namespace {
@@ -71,9 +73,7 @@ double Ground::left_in(double value, double frequency, bool ridged) const {
 Range Ground::noise_around(const glm::dvec3& direction, double chord, double frequency, int octave) const {
   const glm::dvec3 place = direction * frequency + f64::layer_offset(octave, terrain_.seed);
   const f64::Noise noise = f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(octave, terrain_.seed));
-  const double cells = frequency * chord;
-  const double rise = std::min(noise_slope, glm::length(noise.gradient) + 0.5 * noise_curvature * cells) * cells;
-  return {noise.value - rise, noise.value + rise};
+  return noise_within(noise, frequency * chord);
 }
 
 Range Ground::layer_of(const Range& noise, double frequency, bool ridged) const {
@@ -143,15 +143,24 @@ Range Ground::ranges_over(const Range& means, const Range& ridges) const {
   return {height(means.least, ridges.least), height(means.most, ridges.most)};
 }
 
+Range Ground::ice_over(const glm::dvec3& direction, double chord, const Range& told_from) const {
+  const f64::Ice& ice = terrain_.ice;
+  if (!may_freeze(ice, direction, chord)) return {0.0, 0.0};
+  // What lies higher than all ice is told from it without a look at its floes.
+  const double highest = ice.sea + ice.thickness;
+  if (told_from.least > highest) return {0.0, highest};
+  const Range around = ice_around(ice, direction, chord, footprint_);
+  // Of the place that is furthest from the pole.
+  const bool all_near = f64::ice_near({0.0, 0.0, std::max(std::abs(direction.z) - chord, 0.0)}, ice);
+  return {all_near ? std::max(around.least, 0.0) : 0.0, std::max(around.most, 0.0)};
+}
+
 Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
-  const double ice = may_freeze(terrain_.ice, direction, chord) ? terrain_.ice.sea + terrain_.ice.thickness : 0.0;
+  const Range ice = ice_over(direction, chord, told_from);
   const bool has_map = map_ != nullptr;
-  if ((terrain_.octaves == 0 && !has_map) || terrain_.height <= 0.0) return {0.0, ice};
+  if ((terrain_.octaves == 0 && !has_map) || terrain_.height <= 0.0) return ice;
   const Range map = map_around(direction, chord);
-  if (terrain_.power == 0.0 && total_ridges_ == 0.0 && !has_map) {
-    const Range flat = heights_of({0.0, 0.0});
-    return {flat.least, std::max(flat.most, ice)};
-  }
+  if (terrain_.power == 0.0 && total_ridges_ == 0.0 && !has_map) return heights_of({0.0, 0.0}).under(ice);
   const f64::Craters& craters = terrain_.craters;
   PartialSum layers, ridges;
   layers.unknown = total_;
@@ -171,7 +180,7 @@ Range Ground::range_around(const glm::dvec3& direction, double chord, const Rang
       const Range of_ranges = ranges_over(dug_means, ridges.mean(range_of_layers(true), total_ridges_));
       heights = {heights.least + of_ranges.least, heights.most + of_ranges.most};
     }
-    heights.most = std::max(heights.most, ice);
+    heights = heights.under(ice);
     // What may take any value within the distance is not worth asking for: nor is all that is finer.
     const bool is_of_map = i < beyond_map_;
     const bool layer_tells = i < terrain_.octaves && (is_of_map || (frequency * chord < 0.4 && frequency < finest));

@@ -42,6 +42,8 @@ class Ground {
   // Of the map, 0..1, and of the ground by what layers and craters add to it, radii.
   [[nodiscard]] Range map_around(const glm::dvec3& direction, double chord) const;
   [[nodiscard]] Range heights_on(const Range& map, const Range& added) const;
+  // Of the ice, 0 where there is none: as range_around, without the ground under it.
+  [[nodiscard]] Range ice_over(const glm::dvec3& direction, double chord, const Range& told_from) const;
   // From the means of all layers, 0..1: without ranges, and what those add; ridges: of them, 0..1.
   [[nodiscard]] Range heights_of(const Range& means) const;
   [[nodiscard]] Range ranges_over(const Range& means, const Range& ridges) const;
