@@ -7,8 +7,8 @@
 #include "planet/noise_bounds.hpp"
 #include "planet/terrain.hpp"
 #include "reference/first_hit.hpp"
+#include "reference/ground_on_ray.hpp"
 #include "reference/ice_bounds.hpp"
-#include "reference/noise_within.hpp"
 
 namespace terrella::reference {
 namespace {
@@ -37,6 +37,8 @@ struct PartialSum {
     return {(known.least + unknown * layers.least) / total, (known.most + unknown * layers.most) / total};
   }
 };
+
+double cube(double x) { return x * x * x; }
 
 // As much as the craters of one size rise and dig, in cells, where those of all eight cells around a place meet: each
 // is at most 0.4 of a radius of at most 0.28 deep, its rim 0.22 depths high (tests/laws/bounds_test.cpp).
@@ -70,10 +72,10 @@ double Ground::left_in(double value, double frequency, bool ridged) const {
   return glm::mix(f64::layer_mean(ridged), value, f64::layer_weight(frequency, footprint_));
 }
 
-Range Ground::noise_around(const glm::dvec3& direction, double chord, double frequency, int octave) const {
-  const glm::dvec3 place = direction * frequency + f64::layer_offset(octave, terrain_.seed);
-  const f64::Noise noise = f64::simplex_noise(glm::ivec3(0), place, f64::layer_seed(octave, terrain_.seed));
-  return noise_within(noise, frequency * chord);
+Range Ground::noise_over(const Directions& directions, double frequency, int octave, NoiseMemory& memory) const {
+  if (!memory.tells_of(directions, octave, frequency))
+    memory.keep(octave, {directions.middle, f64::height_noise(directions.middle, terrain_, octave, frequency)});
+  return reference::noise_over(directions, memory.of(octave), frequency);
 }
 
 Range Ground::layer_of(const Range& noise, double frequency, bool ridged) const {
@@ -138,7 +140,7 @@ Range Ground::heights_on(const Range& map, const Range& added) const {
 
 Range Ground::ranges_over(const Range& means, const Range& ridges) const {
   const auto height = [&](double mean, double ridge) {
-    return terrain_.ranges.part * terrain_.height * f64::range_cover(mean) * std::pow(std::max(ridge, 0.0), 3.0);
+    return terrain_.ranges.part * terrain_.height * f64::range_cover(mean) * cube(std::max(ridge, 0.0));
   };
   return {height(means.least, ridges.least), height(means.most, ridges.most)};
 }
@@ -155,7 +157,14 @@ Range Ground::ice_over(const glm::dvec3& direction, double chord, const Range& t
   return {all_near ? std::max(around.least, 0.0) : 0.0, std::max(around.most, 0.0)};
 }
 
-Range Ground::range_around(const glm::dvec3& direction, double chord, const Range& told_from) const {
+Range Ground::heights_over(const Directions& directions, const Range& told_from) const {
+  NoiseMemory memory = no_memory();
+  return heights_over(directions, told_from, memory);
+}
+
+Range Ground::heights_over(const Directions& directions, const Range& told_from, NoiseMemory& memory) const {
+  const glm::dvec3& direction = directions.middle;
+  const double chord = directions.chord;
   const Range ice = ice_over(direction, chord, told_from);
   const bool has_map = map_ != nullptr;
   if ((terrain_.octaves == 0 && !has_map) || terrain_.height <= 0.0) return ice;
@@ -166,31 +175,36 @@ Range Ground::range_around(const glm::dvec3& direction, double chord, const Rang
   layers.unknown = total_;
   ridges.unknown = total_ridges_;
   ridges.amplitude = first_ridges_;
-  Range dug = {0.0, 0.0}, heights;
+  Range dug = {0.0, 0.0};
   const double mean_layer = f64::layer_mean(terrain_.ridged);
   double undug = crater_cells_, frequency = terrain_.frequency, crater_frequency = craters.frequency;
-  for (int i = 0;; ++i) {
+  const auto heights = [&] {
     const Range mean =
         terrain_.octaves > 0 ? layers.mean(range_of_layers(terrain_.ridged), total_) : Range{mean_layer, mean_layer};
     const Range dug_means = {mean.least + (dug.least - bowls * undug) / terrain_.height,
                              mean.most + (dug.most + rims * undug) / terrain_.height};
-    heights =
-        has_map ? heights_on(map, {dug_means.least - mean_layer, dug_means.most - mean_layer}) : heights_of(dug_means);
-    if (total_ridges_ > 0.0) {
-      const Range of_ranges = ranges_over(dug_means, ridges.mean(range_of_layers(true), total_ridges_));
-      heights = {heights.least + of_ranges.least, heights.most + of_ranges.most};
-    }
-    heights = heights.under(ice);
+    if (has_map) return heights_on(map, {dug_means.least - mean_layer, dug_means.most - mean_layer}).under(ice);
+    const Range smooth = heights_of(dug_means);
+    if (total_ridges_ <= 0.0) return smooth.under(ice);
+    const Range of_ranges = ranges_over(dug_means, ridges.mean(range_of_layers(true), total_ridges_));
+    return Range{smooth.least + of_ranges.least, smooth.most + of_ranges.most}.under(ice);
+  };
+  for (int i = 0;; ++i) {
     // What may take any value within the distance is not worth asking for: nor is all that is finer.
     const bool is_of_map = i < beyond_map_;
     const bool layer_tells = i < terrain_.octaves && (is_of_map || (frequency * chord < 0.4 && frequency < finest));
     const bool craters_tell = i < craters.sizes && craters.depth > 0.0 && crater_frequency * chord < 0.4;
-    if (heights.lies_apart_from(told_from) || !(layer_tells || craters_tell)) return heights;
+    if (!(layer_tells || craters_tell)) return heights();
+    // Heights take longer than layers that need not be computed.
+    const bool costs = craters_tell || !(is_of_map || memory.tells_of(directions, i, frequency));
+    if (costs) {
+      if (const Range known = heights(); known.lies_apart_from(told_from)) return known;
+    }
     if (is_of_map) {
       layers.add({mean_layer, mean_layer}, terrain_.persistence);
       frequency *= terrain_.lacunarity;
     } else if (layer_tells) {
-      const Range noise = noise_around(direction, chord, frequency, i);
+      const Range noise = noise_over(directions, frequency, i, memory);
       layers.add(layer_of(noise, frequency, terrain_.ridged), terrain_.persistence);
       if (total_ridges_ > 0.0 && i >= terrain_.ranges.first) {
         ridges.add(layer_of(noise, frequency, true), terrain_.persistence);
@@ -209,15 +223,15 @@ Range Ground::range_around(const glm::dvec3& direction, double chord, const Rang
 bool Ground::reaches(const glm::dvec3& direction, double radius) const {
   const double height = radius - 1.0;
   if (highest_ < radius) return false;
-  const Range range = range_around(direction, 0.0, {height, height});
+  const Range range = heights_over({direction, 0.0}, {height, height});
   return range.lies_apart_from(height) ? range.least > height : radius_at(direction) >= radius;
 }
 
-bool Ground::stays_below(const glm::dvec3& direction, double chord, double radius) const {
+bool Ground::stays_below(const Directions& directions, double radius, NoiseMemory& memory) const {
   const double height = radius - 1.0;
   // No ground lies lower than the unit sphere.
   if (highest_ < radius || height <= 0.0) return highest_ < radius;
-  return range_around(direction, chord, {height, height}).most < height;
+  return heights_over(directions, {height, height}, memory).most < height;
 }
 
 std::optional<double> Ground::hit(const Ray& ray, double before, const Resolution& resolution) const {
@@ -227,7 +241,7 @@ std::optional<double> Ground::hit(const Ray& ray, double before, const Resolutio
   const std::optional<Span> core = within_sphere(ray, 1.0);
   const double end = core && core->to > 0.0 ? std::max(core->from, 0.0) : shell->to;
   const Span span = {std::max(shell->from, 0.0), std::min({end, shell->to, before})};
-  const std::optional<double> found = first_hit(*this, ray, span, resolution);
+  const std::optional<double> found = first_hit(GroundOnRay(*this), ray, span, resolution);
   if (found || !core || core->from > before || core->from < 0.0) return found;
   return core->from;
 }

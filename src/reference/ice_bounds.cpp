@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "reference/noise_within.hpp"
+#include "reference/noise_over.hpp"
 
 namespace terrella::reference {
 namespace {
@@ -87,7 +87,7 @@ Range floes_around(const f64::Ice& ice, const glm::dvec3& direction, double chor
 Range cover_around(const f64::Ice& ice, const glm::dvec3& direction, double chord, double footprint) {
   constexpr double bays_frequency = 6.0;
   const f64::Noise noise = f64::simplex_noise(glm::ivec3(0), bays_frequency * direction, ice.seed + 901U);
-  const Range bays = noise_within(noise, bays_frequency * chord);
+  const Range bays = noise_over({direction, chord}, {direction, noise}, bays_frequency);
   const double polar = std::abs(direction.z) - ice.sine;
   const Range within = {polar - chord + 0.035 * bays.least, polar + chord + 0.035 * bays.most};
   const double shown = f64::layer_weight(f64::floe_frequency, footprint);

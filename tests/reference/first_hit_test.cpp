@@ -3,19 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "effort.hpp"
 #include "laws/random_places.hpp"
 #include "planet/terrain.hpp"
-#include "reference/ground.hpp"
+#include "reference/ground_on_ray.hpp"
 #include "reference/sea.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
 namespace {
 
+using reference::Directions;
 using reference::Ground;
+using reference::GroundOnRay;
 using reference::Ray;
 using reference::Resolution;
 using reference::Span;
@@ -87,7 +90,7 @@ class FirstHit : public testing::TestWithParam<const char*> {};
 TEST_P(FirstHit, PassesNoCrestOfTheGround) {
   const Scene scene = preset_scene(GetParam());
   const Ground ground(scene);
-  expect_no_crest_missed(ground, 1.0, ground.highest(), 80, 2000, anywhere);
+  expect_no_crest_missed(GroundOnRay(ground), 1.0, ground.highest(), 80, 2000, anywhere);
 }
 
 INSTANTIATE_TEST_SUITE_P(Grounds, FirstHit, testing::Values("temperate", "alps", "moon", "ice", "desert"),
@@ -97,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Grounds, FirstHit, testing::Values("temperate", "alps",
 TEST(FirstHit, PassesNoFloe) {
   const Scene scene = preset_scene("blue");
   const Ground ground(scene);
-  expect_no_crest_missed(ground, 0.999, ground.highest(), 60, 2000, polar);
+  expect_no_crest_missed(GroundOnRay(ground), 0.999, ground.highest(), 60, 2000, polar);
 }
 
 TEST(FirstHit, PassesNoCrestOfTheSea) {
@@ -126,18 +129,19 @@ TEST(FirstHit, OfAFlatGroundIsThatOfTheSphere) {
   }
 }
 
-// A ground that counts how often it is asked about a piece of a ray.
+// A ground that counts how often it is asked about a piece of a ray, and how often noise is computed for that.
 struct Counted {
   const Ground& ground;
+  mutable reference::NoiseMemory memory = ground.no_memory();
   mutable int pieces = 0;
 
   [[nodiscard]] double radius_at(const glm::dvec3& direction) const { return ground.radius_at(direction); }
   [[nodiscard]] bool reaches(const glm::dvec3& direction, double radius) const {
     return ground.reaches(direction, radius);
   }
-  [[nodiscard]] bool stays_below(const glm::dvec3& direction, double chord, double radius) const {
+  [[nodiscard]] bool stays_below(const Directions& directions, double radius) const {
     ++pieces;
-    return ground.stays_below(direction, chord, radius);
+    return ground.stays_below(directions, radius, memory);
   }
 };
 
@@ -166,47 +170,113 @@ TEST(FirstHit, TakesHardlyLongerForFinerPictures) {
   EXPECT_LT(fine, 2.5 * coarse);
 }
 
-// What the bound says of a cap is true of every place in it: grounds of all kinds, radii on both sides of the sphere.
+// From a man's height on, over all 28 layers of a planet of real size: a piece asks for those alone that are about as
+// fine as it is long, and not again for all that are coarser.
+TEST(FirstHit, ComputesFewLayersAPiece) {
+  const Scene scene = preset_scene("blue");
+  const Ground ground(scene);
+  const Counted counted{ground};
+  Places places(24U);
+  constexpr int rays = 200;
+  for (int i = 0; i < rays; ++i) {
+    const glm::dvec3 up = places.on_sphere();
+    const double height = 2.0 / scene.planet.radius;
+    const glm::dvec3 level = glm::normalize(glm::cross(up, places.on_sphere()));
+    const Ray ray = {(ground.radius_at(up) + height) * up, glm::normalize(level + places.between(-0.5, 0.1) * up)};
+    first_hit(counted, ray, {0.0, 0.02}, {1e-4, 1e-4 * height});
+  }
+  EXPECT_LT(static_cast<double>(counted.memory.kept()) / counted.pieces, 4.5);
+  EXPECT_LT(counted.pieces, 80 * rays);
+}
+
+// A ground of any kind. number: what kind, and its seed.
+Scene some_ground(Places& places, int number) {
+  Scene scene;
+  scene.planet.seed = number;
+  scene.water.level = number % 3 == 0 ? 0.02 : 0.0;
+  scene.water.ice_latitude = number % 2 == 0 ? places.between(0.0, 90.0) : 90.0;
+  auto& terrain = scene.terrain;
+  terrain.height = number % 5 == 0 ? 0.0 : places.between(0.0, 0.4);
+  terrain.power = number % 4 == 0 ? 0.0 : places.between(0.0, 4.0);
+  terrain.octaves = number % 7;
+  terrain.persistence = places.between(0.0, 1.5);
+  terrain.lacunarity = places.between(1.0, 4.0);
+  terrain.ridged = number % 2 == 0;
+  terrain.ranges = number % 3 == 1 ? places.between(0.0, 1.0) : 0.0;
+  terrain.range_layer = number % 8 == 4 ? 7 : number % 4;  // beyond all layers; where power is 0, too
+  terrain.craters = number % 2 == 0 ? 1.0 : 0.0;
+  terrain.crater_sizes = number % 6;
+  return scene;
+}
+
+// Any of some directions.
+glm::dvec3 one_of(Places& places, const Directions& directions) {
+  const double chord = 0.98 * directions.chord;
+  if (!directions.along) return glm::normalize(directions.middle + chord * places.in_cube(0.577));
+  const double angle = 2.0 * std::asin(0.5 * places.between(-chord, chord));
+  return std::cos(angle) * directions.middle + std::sin(angle) * *directions.along;
+}
+
+// What the bound says of directions is true of each of them: of caps and of arcs, on grounds of all kinds, at radii on
+// both sides of the sphere.
 TEST(GroundBound, IsTrueOfAllGrounds) {
   Places places(17U);
   const int grounds = test::sanitized ? 10 : 60;
   int below = 0;
   for (int g = 0; g < grounds; ++g) {
-    Scene scene;
-    scene.planet.seed = g;
-    scene.water.level = g % 3 == 0 ? 0.02 : 0.0;
-    scene.water.ice_latitude = g % 2 == 0 ? places.between(0.0, 90.0) : 90.0;
-    auto& terrain = scene.terrain;
-    terrain.height = g % 5 == 0 ? 0.0 : places.between(0.0, 0.4);
-    terrain.power = g % 4 == 0 ? 0.0 : places.between(0.0, 4.0);
-    terrain.octaves = g % 7;
-    terrain.persistence = places.between(0.0, 1.5);
-    terrain.lacunarity = places.between(1.0, 4.0);
-    terrain.ridged = g % 2 == 0;
-    terrain.ranges = g % 3 == 1 ? places.between(0.0, 1.0) : 0.0;
-    terrain.range_layer = g % 8 == 4 ? 7 : g % 4;  // beyond all layers; where power is 0, too
-    terrain.craters = g % 2 == 0 ? 1.0 : 0.0;
-    terrain.crater_sizes = g % 6;
-    const Ground ground(scene);
+    const Ground ground(some_ground(places, g));
+    const GroundOnRay on_ray(ground);
     for (int i = 0; i < 300; ++i) {
-      const glm::dvec3 middle = places.on_sphere();
-      const double chord = std::pow(10.0, places.between(-4.0, -0.5)), radius = places.between(0.9, 1.5);
-      ASSERT_EQ(ground.reaches(middle, radius), ground.radius_at(middle) >= radius) << "ground " << g;
-      const reference::Range range = ground.range_around(middle, chord, {radius - 1.0, radius - 1.0});
-      const bool stays_below = ground.stays_below(middle, chord, radius);
+      Directions directions{places.on_sphere(), std::pow(10.0, places.between(-4.0, -0.5))};
+      if (i % 2 == 0) directions.along = glm::normalize(glm::cross(directions.middle, places.on_sphere()));
+      const double radius = places.between(0.9, 1.5);
+      ASSERT_EQ(ground.reaches(directions.middle, radius), ground.radius_at(directions.middle) >= radius);
+      const reference::Range range = ground.heights_over(directions, {radius - 1.0, radius - 1.0});
+      const bool stays_below = on_ray.stays_below(directions, radius);
       if (stays_below) ++below;
       for (int k = 0; k < 20; ++k) {
-        const glm::dvec3 beside = glm::normalize(middle + 0.98 * chord * places.in_cube(0.577));
-        const double there = ground.radius_at(beside);
-        ASSERT_GE(there, 1.0 + range.least - 1e-12) << "ground " << g << ", chord " << chord;
-        ASSERT_LE(there, 1.0 + range.most + 1e-12) << "ground " << g << ", chord " << chord;
+        const double there = ground.radius_at(one_of(places, directions));
+        ASSERT_GE(there, 1.0 + range.least - 1e-12) << "ground " << g << ", chord " << directions.chord;
+        ASSERT_LE(there, 1.0 + range.most + 1e-12) << "ground " << g << ", chord " << directions.chord;
         if (stays_below) {
-          ASSERT_LT(there, radius) << "ground " << g << ", chord " << chord;
+          ASSERT_LT(there, radius) << "ground " << g << ", chord " << directions.chord;
         }
       }
     }
   }
   EXPECT_GT(below, 100);
+}
+
+// Nor does it matter where the layers have been computed that it is told from: along a ray they are kept from piece to
+// piece.
+TEST(GroundBound, IsTrueWithLayersKeptFromOtherPlaces) {
+  Places places(18U);
+  const int grounds = test::sanitized ? 10 : 60;
+  long computed = 0, asked = 0;
+  for (int g = 0; g < grounds; ++g) {
+    Scene scene = g % 6 == 5 ? preset_scene(g % 12 == 5 ? "blue" : "highlands") : some_ground(places, g);
+    const Ground ground(scene);
+    for (int walk = 0; walk < 10; ++walk) {
+      reference::NoiseMemory memory = ground.no_memory();
+      glm::dvec3 middle = places.on_sphere();
+      for (double chord = 0.1; chord > 1e-7; chord *= places.between(0.4, 1.0)) {
+        Directions directions{middle, chord};
+        if (walk % 2 == 0) directions.along = glm::normalize(glm::cross(middle, places.on_sphere()));
+        const double near = ground.height_at(middle).value + chord * places.between(-1.0, 1.0);
+        const reference::Range range = ground.heights_over(directions, {near, near}, memory);
+        asked += scene.terrain.octaves;
+        for (int k = 0; k < 10; ++k) {
+          const double there = ground.height_at(one_of(places, directions)).value;
+          ASSERT_GE(there, range.least - 1e-13) << "ground " << g << ", chord " << chord;
+          ASSERT_LE(there, range.most + 1e-13) << "ground " << g << ", chord " << chord;
+        }
+        middle = one_of(places, directions);
+      }
+      computed += memory.kept();
+    }
+  }
+  // Otherwise nothing has been kept.
+  EXPECT_LT(computed, asked / 2);
 }
 
 }  // namespace
