@@ -13,7 +13,7 @@
 namespace terrella::reference {
 namespace {
 
-// Finer layers (cells per radian) doubles and integers of 32 bits place no more.
+// From here on layers (cells per radian) fade: doubles and integers of 32 bits place twice as fine ones no more.
 constexpr double finest = 1e8;
 
 Range range_of_layers(bool ridged) {
@@ -23,8 +23,12 @@ Range range_of_layers(bool ridged) {
 
 // A sum of layers of which some are known and the amplitudes of all others together.
 struct PartialSum {
-  Range known = {0.0, 0.0};
-  double amplitude = 1.0, unknown = 0.0;
+  Range known;
+  double amplitude, unknown;
+
+  // first: amplitude of the first layer; total: of all; hidden: of those that stay at their mean.
+  PartialSum(double first, double total, double hidden, double mean)
+      : known{hidden * mean, hidden * mean}, amplitude(first), unknown(total - hidden) {}
 
   void add(const Range& layer, double persistence) {
     known = {known.least + amplitude * layer.least, known.most + amplitude * layer.most};
@@ -48,20 +52,35 @@ constexpr double bowls = 8.0 * 0.4 * 0.28, rims = 0.22 * bowls;
 
 Ground::Ground(const Scene& scene, double footprint)
     : terrain_(exact_terrain_of(scene)), map_(scene.terrain.map.map), footprint_(std::max(footprint, 0.25 / finest)) {
-  total_ = f64::amplitude_sum(terrain_.persistence, terrain_.octaves);
-  first_ridges_ = std::pow(terrain_.persistence, terrain_.ranges.first);
-  if (terrain_.ranges.part > 0.0 && !map_) {
-    const int layers = std::max(terrain_.octaves - terrain_.ranges.first, 0);
-    total_ridges_ = first_ridges_ * f64::amplitude_sum(terrain_.persistence, layers);
-  }
+  sum_layers();
   const bool has_map = map_ != nullptr;
   if (has_map) beyond_map_ = f64::first_layer_beyond(map_->texel(), terrain_);
   highest_ = 1.0 + (terrain_.octaves > 0 || has_map ? terrain_.height : 0.0);
   if (terrain_.ice.sine <= 1.0 && terrain_.ice.sea > 0.0)
     highest_ = std::max(highest_, 1.0 + terrain_.ice.sea + terrain_.ice.thickness);
   double frequency = terrain_.craters.frequency;
-  for (int i = 0; i < terrain_.craters.sizes; ++i, frequency *= f64::crater_step)
+  for (; shown_sizes_ < terrain_.craters.sizes && f64::crater_weight(frequency, footprint_) > 0.0; ++shown_sizes_) {
     crater_cells_ += terrain_.craters.depth / frequency;
+    frequency *= f64::crater_step;
+  }
+}
+
+void Ground::sum_layers() {
+  const bool has_ranges = terrain_.ranges.part > 0.0 && !map_;
+  double amplitude = 1.0, frequency = terrain_.frequency;
+  for (int i = 0; i < terrain_.octaves; ++i) {
+    const bool is_ridge = has_ranges && i >= terrain_.ranges.first;
+    if (is_ridge && total_ridges_ == 0.0) first_ridges_ = amplitude;
+    const bool is_shown = f64::layer_weight(frequency, footprint_) > 0.0;
+    if (is_shown) ++shown_layers_;
+    total_ += amplitude;
+    total_ridges_ += is_ridge ? amplitude : 0.0;
+    hidden_ += is_shown ? 0.0 : amplitude;
+    hidden_ridges_ += is_ridge && !is_shown ? amplitude : 0.0;
+    amplitude *= terrain_.persistence;
+    frequency *= terrain_.lacunarity;
+  }
+  if (total_ridges_ <= f64::faintest_ridges) total_ridges_ = 0.0;
 }
 
 f64::Height Ground::height_at(const glm::dvec3& direction) const {
@@ -171,12 +190,10 @@ Range Ground::heights_over(const Directions& directions, const Range& told_from,
   const Range map = map_around(direction, chord);
   if (terrain_.power == 0.0 && total_ridges_ == 0.0 && !has_map) return heights_of({0.0, 0.0}).under(ice);
   const f64::Craters& craters = terrain_.craters;
-  PartialSum layers, ridges;
-  layers.unknown = total_;
-  ridges.unknown = total_ridges_;
-  ridges.amplitude = first_ridges_;
-  Range dug = {0.0, 0.0};
   const double mean_layer = f64::layer_mean(terrain_.ridged);
+  PartialSum layers(1.0, total_, hidden_, mean_layer);
+  PartialSum ridges(first_ridges_, total_ridges_, hidden_ridges_, f64::layer_mean(true));
+  Range dug = {0.0, 0.0};
   double undug = crater_cells_, frequency = terrain_.frequency, crater_frequency = craters.frequency;
   const auto heights = [&] {
     const Range mean =
@@ -192,8 +209,8 @@ Range Ground::heights_over(const Directions& directions, const Range& told_from,
   for (int i = 0;; ++i) {
     // What may take any value within the distance is not worth asking for: nor is all that is finer.
     const bool is_of_map = i < beyond_map_;
-    const bool layer_tells = i < terrain_.octaves && (is_of_map || (frequency * chord < 0.4 && frequency < finest));
-    const bool craters_tell = i < craters.sizes && craters.depth > 0.0 && crater_frequency * chord < 0.4;
+    const bool layer_tells = i < shown_layers_ && (is_of_map || frequency * chord < 0.4);
+    const bool craters_tell = i < shown_sizes_ && craters.depth > 0.0 && crater_frequency * chord < 0.4;
     if (!(layer_tells || craters_tell)) return heights();
     // Heights take longer than layers that need not be computed.
     const bool costs = craters_tell || !(is_of_map || memory.tells_of(directions, i, frequency));

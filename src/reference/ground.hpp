@@ -44,6 +44,7 @@ class Ground {
   [[nodiscard]] Range layer_of(const Range& noise, double frequency, bool ridged) const;
   [[nodiscard]] Range craters_around(const glm::dvec3& direction, double chord, double frequency, int size) const;
   [[nodiscard]] double left_in(double value, double frequency, bool ridged) const;
+  void sum_layers();
   // Of the map, 0..1, and of the ground by what layers and craters add to it, radii.
   [[nodiscard]] Range map_around(const glm::dvec3& direction, double chord) const;
   [[nodiscard]] Range heights_on(const Range& map, const Range& added) const;
@@ -57,11 +58,14 @@ class Ground {
   SharedHeightMap map_;  // that terrain_ reads
   int beyond_map_ = 0;   // the first layer that the map does not stand for
   double footprint_;
-  double total_;               // of the amplitudes of the layers
-  double first_ridges_ = 0.0;  // amplitude of the first that is ridged for ranges as well
-  double total_ridges_ = 0.0;  // of all of those
+  // Layers and sizes of craters of which the footprint leaves anything; those are the coarsest.
+  int shown_layers_ = 0, shown_sizes_ = 0;
+  // Sums of the amplitudes of all layers, and of those that the footprint leaves at their mean.
+  double total_ = 0.0, hidden_ = 0.0;
+  // The same of those that are ridged for ranges as well, with the amplitude of the first.
+  double total_ridges_ = 0.0, hidden_ridges_ = 0.0, first_ridges_ = 0.0;
   double highest_;             // radius
-  double crater_cells_ = 0.0;  // their depth times the width of a cell, summed over all sizes, radii
+  double crater_cells_ = 0.0;  // their depth times the width of a cell, summed over all that are shown, radii
 };
 
 }  // namespace terrella::reference
