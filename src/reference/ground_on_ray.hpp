@@ -1,4 +1,5 @@
-// A ground as first_hit asks for it along a ray, or several: what has been learnt of it on the way is kept.
+// A ground as first_hit asks for it along a ray, or several one after the other: what has been learnt of it on the way
+// is kept. Each thread needs one of its own.
 #pragma once
 
 #include "reference/ground.hpp"

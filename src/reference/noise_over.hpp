@@ -19,11 +19,12 @@ struct KnownNoise {
   f64::Noise noise;
 };
 
-// Bounds of a layer of noise over directions, from its value and slope at any one: by those at their middle, and by how
-// fast slopes change. frequency: cells per radian.
+// Bounds of a layer of noise over directions, told from its value and slope at any one, within them or not, by how fast
+// slopes change on the way (planet/noise_bounds.hpp): the wider the further it is away. frequency: cells per radian.
 Range noise_over(const Directions& directions, const KnownNoise& known, double frequency);
 
-// Remembers the noise of layers along a ray: coarse ones hardly change from piece to piece.
+// Remembers the noise of layers along a ray: coarse ones hardly change from piece to piece. Layers count from 0, the
+// coarsest, up to the given number.
 class NoiseMemory {
  public:
   explicit NoiseMemory(int layers) : layers_(static_cast<std::size_t>(layers)) {}
