@@ -2,8 +2,8 @@
 
 namespace terrella {
 
-// Shows on standard error which part (0..1) of a long work is done; the line ends with the work. Only on a terminal.
-// what: a few words.
+// Shows on standard error which part (0..1) of a long work is done: a bar on a terminal, whose line ends with the work;
+// else the lines of ProgressLines. what: a few words.
 void show_progress(const char* what, double part);
 
 }  // namespace terrella

@@ -64,15 +64,20 @@ std::string about(const PathTask& task) {
   return json + "  ]\n}\n";
 }
 
-using Draw = std::function<Image(const PictureTask&)>;
+// progress: may be told which part of the picture is done, 0..1.
+using Draw = std::function<Image(const PictureTask&, const std::function<void(double)>& progress)>;
 
 // Returns what went wrong, or nothing.
 std::string draw_missing(const PathTask& task, const PictureSeries& series, const std::vector<int>& missing,
                          const Draw& draw) {
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    show_progress("drawing", static_cast<double>(i) / static_cast<double>(missing.size()));
+    // All is done only when the last picture is written.
+    const auto show = [&](double part) {
+      if (part < 1.0) show_progress("drawing", (static_cast<double>(i) + part) / static_cast<double>(missing.size()));
+    };
+    show(0.0);
     const PictureTask picture = picture_of(task, missing[i]);
-    const Result<Done> done = write_file_whole(series.file(missing[i]), encoded(picture, draw(picture)));
+    const Result<Done> done = write_file_whole(series.file(missing[i]), encoded(picture, draw(picture, show)));
     if (!done) return done.sentence();
   }
   show_progress("drawing", 1.0);
@@ -85,12 +90,13 @@ std::string draw_by_gpu(const PathTask& task, const PictureSeries& series, const
   if (std::string why = why_too_large(task.picture); !why.empty()) return why;
   Renderer renderer;
   return draw_missing(task, series, missing,
-                      [&](const PictureTask& picture) { return picture_by_gpu(renderer, picture); });
+                      [&](const PictureTask& picture, const auto&) { return picture_by_gpu(renderer, picture); });
 }
 
 std::string draw_by_reference(const PathTask& task, const PictureSeries& series, const std::vector<int>& missing) {
-  return draw_missing(task, series, missing,
-                      [](const PictureTask& picture) { return picture_by_reference(picture, {}); });
+  return draw_missing(task, series, missing, [](const PictureTask& picture, const auto& progress) {
+    return picture_by_reference(picture, progress);
+  });
 }
 
 std::vector<int> missing_of(const PathTask& task, const PictureSeries& series) {

@@ -1,6 +1,7 @@
 // Where a ray first meets a surface that has one radius in each direction from the planet's centre.
 #pragma once
 
+#include "reference/directions.hpp"
 #include "reference/ray.hpp"
 
 namespace terrella::reference {
@@ -8,9 +9,7 @@ namespace terrella::reference {
 // Surface:
 //   double radius_at(direction)                 exact; direction: unit
 //   bool reaches(direction, radius)             whether it is at least radius there
-//   bool stays_below(direction, chord, radius)  true only if all of the surface lies below radius in all directions
-//   (unit)
-//                                               that are within chord of the given one
+//   bool stays_below(directions, radius)        true only if all of the surface lies below radius in all Directions
 //
 // Halves the span until no piece is left that the surface might reach, or a piece is as short as the resolution: so a
 // crest is missed only if the ray cuts less than that out of it. Then brackets the crossing. At `from` the ray is above
@@ -29,11 +28,18 @@ std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Sp
     const double radius = glm::length(place);
     return surface.reaches(place / radius, radius);
   };
+  // Nothing where the ray points at the centre or away from it: rounding would turn it.
+  const auto along = [&](const glm::dvec3& direction) -> std::optional<glm::dvec3> {
+    const glm::dvec3 aside = ray.direction - glm::dot(ray.direction, direction) * direction;
+    const double length = glm::length(aside);
+    return length > 1e-6 ? std::optional(aside / length) : std::nullopt;
+  };
   const auto clear = [&](double from, double to) {
     const glm::dvec3 middle = glm::normalize(ray.at(0.5 * (from + to)));
     const double chord = std::max(glm::distance(glm::normalize(ray.at(from)), middle),
                                   glm::distance(glm::normalize(ray.at(to)), middle));
-    return surface.stays_below(middle, chord, glm::length(ray.at(std::clamp(nearest, from, to))));
+    return surface.stays_below(Directions{middle, chord, along(middle)},
+                               glm::length(ray.at(std::clamp(nearest, from, to))));
   };
   // False position, where an end that stays counts half (the Illinois method): it never leaves the bracket.
   const auto crossing = [&](double above, double below) {

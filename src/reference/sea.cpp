@@ -141,7 +141,7 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
 Range Sea::left_around(const glm::dvec3& direction, double distance) const {
   if (ground_ == nullptr) return {1.0, 1.0};
   const double still = radius_ - 1.0;
-  const Range ground = ground_->range_around(direction, distance, {still - whole_depth_, still});
+  const Range ground = ground_->heights_over({direction, distance}, {still - whole_depth_, still});
   return {f64::left_by_ground(still - ground.most, whole_depth_),
           f64::left_by_ground(still - ground.least, whole_depth_)};
 }
@@ -167,13 +167,13 @@ bool Sea::reaches(const glm::dvec3& direction, double radius) const {
   return glm::length(over(direction, water.deep, radius).place) >= radius;
 }
 
-bool Sea::stays_below(const glm::dvec3& direction, double chord, double radius) const {
+bool Sea::stays_below(const Directions& directions, double radius) const {
   const double height = radius - radius_;
   if (sea_.highest < height) return true;
   if (!has_waves()) return height > 0.0;
-  const Around water = around(direction, chord, height);
+  const Around water = around(directions.middle, directions.chord, height);
   if (water.heights.most < height) return true;
-  return water.deep && most_of_deep_water(over(direction, true), chord) < radius;
+  return water.deep && most_of_deep_water(over(directions.middle, true), directions.chord) < radius;
 }
 
 std::optional<double> Sea::hit(const Ray& ray, double before, const Resolution& resolution) const {

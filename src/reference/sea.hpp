@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "planet/waves.hpp"
+#include "reference/directions.hpp"
 #include "reference/ground.hpp"
 #include "reference/range.hpp"
 #include "reference/ray.hpp"
@@ -40,7 +41,7 @@ class Sea {
   // As first_hit asks for them.
   [[nodiscard]] double radius_at(const glm::dvec3& direction) const { return glm::length(over(direction).place); }
   [[nodiscard]] bool reaches(const glm::dvec3& direction, double radius) const;
-  [[nodiscard]] bool stays_below(const glm::dvec3& direction, double chord, double radius) const;
+  [[nodiscard]] bool stays_below(const Directions& directions, double radius) const;
 
   // Where a ray that begins above the water meets it, no further than `before`.
   [[nodiscard]] std::optional<double> hit(const Ray& ray, double before, const Resolution& resolution) const;

@@ -1,4 +1,4 @@
-// What the reference's bounds rest on (src/reference/ground.cpp): noise and craters rise and bend no faster than this.
+// What the bounds of src/reference rest on (noise_over.cpp, ground.cpp): how fast noise and craters rise and bend.
 #include <gtest/gtest.h>
 
 #include <algorithm>

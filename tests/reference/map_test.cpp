@@ -28,7 +28,7 @@ TEST(ReferenceOnAMap, BoundsHoldAllHeightsAround) {
         const glm::dvec3 d = places.on_sphere();
         const double chord = std::pow(10.0, places.between(-5.0, -0.5));
         const double told_from = places.between(0.0, 1.0) * (ground.highest() - 1.0);
-        const reference::Range range = ground.range_around(d, chord, {told_from, told_from});
+        const reference::Range range = ground.heights_over({d, chord}, {told_from, told_from});
         for (int k = 0; k < 20; ++k) {
           const glm::dvec3 beside = glm::normalize(d + places.in_cube(0.55) * chord);
           const double height = ground.height_at(beside).value;
