@@ -228,6 +228,12 @@ TEST_F(PathCommand, FliesTheExampleOfTheManual) {
   EXPECT_EQ(files().size(), 6u);
 }
 
+TEST_F(PathCommand, FliesTheExampleOfAPlanetOfRealSize) {
+  give_path(*read_file(std::string(TERRELLA_SOURCE_DIR) + "/docs/to_the_beach.json", kLongestJson));
+  EXPECT_EQ(render("--preset blue --frames 5").said, "");
+  EXPECT_EQ(files().size(), 6u);
+}
+
 // The numbers have as many digits as they need.
 TEST(PictureSeries, NumbersItsFilesInTheirOrder) {
   EXPECT_EQ(PictureSeries("a/fly.png", 12, "").file(0), "a/fly-0001.png");
