@@ -138,7 +138,7 @@ std::string limits_html(const GroundTable& table) {
 }
 
 constexpr const char* columns = R"(<h2>What the columns say</h2>
-<p>Each view is drawn with the largest quality.pixel_error (column pixel_error) by which 99 of 100 places of the ground
+<p>Each view is drawn with the largest quality.pixel_error (column pixel_error), of at most 16, by which 99 of 100 places of the ground
 are off by no more than is asked. Errors are measured in double precision at random places of the
 picture: from where a pixel shows the ground for it to where the ground above or below is, or as far as ground that
 triangles lack rises before it (median, p99, most), in pixels; upright is the p99 of how far triangles themselves are off, as if
