@@ -60,16 +60,16 @@ void stand_over_ground(Scene& scene, double clearance) {
   scene.camera.altitude = (ground + clearance - 1.0) * scene.planet.radius;
 }
 
-// The same under a sea, out of which some of it rises, with ice on half of the planet. In so few rows the sea would be
+// The same under a sea, out of which some of it rises, with ice from 50 degrees on. In so few rows the sea would be
 // raised over all islands, were it not for low clouds, which it may not come near.
 Scene icy_sea(Ground ground, double radius) {
   Scene scene = rugged(ground, radius);
   scene.clouds.model = 1;
   scene.clouds.height = scene.terrain.height;
   scene.water.model = 1;
-  scene.water.level = 0.55 * scene.terrain.height;
+  scene.water.level = 0.65 * scene.terrain.height;
   scene.water.ripples = 0.0;
-  scene.water.ice_latitude = 30.0;
+  scene.water.ice_latitude = 50.0;
   return scene;
 }
 
