@@ -60,6 +60,29 @@ void stand_over_ground(Scene& scene, double clearance) {
   scene.camera.altitude = (ground + clearance - 1.0) * scene.planet.radius;
 }
 
+// The same under a sea, out of which some of it rises, with ice from 50 degrees on. In so few rows the sea would be
+// raised over all islands, were it not for low clouds, which it may not come near.
+Scene icy_sea(Ground ground, double radius) {
+  Scene scene = rugged(ground, radius);
+  scene.clouds.model = 1;
+  scene.clouds.height = scene.terrain.height;
+  scene.water.model = 1;
+  scene.water.level = 0.65 * scene.terrain.height;
+  scene.water.ripples = 0.0;
+  scene.water.ice_latitude = 50.0;
+  return scene;
+}
+
+// From a metre over the ground to ten radii away, each seventh and fifth time where grids have their corners.
+void look_at_random(Scene& scene, test::Places& places, int number) {
+  auto& camera = scene.camera;
+  camera.latitude = number % 7 == 0 ? 90.0 : places.between(-90.0, 90.0);
+  camera.longitude = number % 5 == 0 ? 45.0 : places.between(-180.0, 180.0);
+  camera.heading = places.between(-180.0, 180.0);
+  camera.pitch = places.between(-90.0, 0.0);
+  stand_over_ground(scene, std::pow(10.0, places.between(-6.0, 1.0)));
+}
+
 // Of mountains, without clouds.
 Scene bare_highlands(Ground ground) {
   Scene scene = with_ground(find_preset("highlands")->scene, ground);
@@ -100,7 +123,7 @@ View small_view() {
 }
 
 // Expects ground in every pixel whose ray meets a sphere; returns how many do. has_ground: of x and y, from the upper
-// left.
+// left, and of how far away the sphere is met, radii.
 template <class HasGround>
 int check_holes(const Pose& pose, const View& view, double radius, const HasGround& has_ground) {
   int looked_at = 0;
@@ -109,7 +132,7 @@ int check_holes(const Pose& pose, const View& view, double radius, const HasGrou
       const f64::Roots roots = f64::ray_sphere(pose.eye, ray_through(pose, view, {x + 0.5, y + 0.5}), radius);
       if (!roots.met || roots.t1 < 0.0) continue;
       ++looked_at;
-      EXPECT_TRUE(has_ground(x, y)) << "pixel " << x << ", " << y;
+      EXPECT_TRUE(has_ground(x, y, roots.t0)) << "pixel " << x << ", " << y;
     }
   }
   return looked_at;
@@ -134,18 +157,36 @@ TEST_P(NodesInPictures, LeaveNoHole) {
   Scene scene = rugged(GetParam(), 6.36e6);
   std::int64_t looked_at = 0;
   for (int n = 0; n < cameras; ++n) {
-    auto& camera = scene.camera;
-    camera.latitude = n % 7 == 0 ? 90.0 : places.between(-90.0, 90.0);
-    camera.longitude = n % 5 == 0 ? 45.0 : places.between(-180.0, 180.0);
-    camera.heading = places.between(-180.0, 180.0);
-    camera.pitch = places.between(-90.0, 0.0);
-    stand_over_ground(scene, std::pow(10.0, places.between(-6.0, 1.0)));
+    look_at_random(scene, places, n);
     const View view = small_view();
     const Pose pose = pose_of(scene, view);
     const Image distance = take_measurement(renderer, scene, still(), Channel::distance);
     // Whoever meets a sphere that lies by a pixel under all ground has ground before it.
     looked_at += check_holes(pose, view, 1.0 - pixel_at_limb(pose),
-                             [&](int x, int y) { return std::isfinite(distance.at(x, y)[0]); });
+                             [&](int x, int y, double) { return std::isfinite(distance.at(x, y)[0]); });
+    if (HasFailure()) FAIL() << "camera " << n;
+  }
+  EXPECT_GT(looked_at, cameras * 500);
+}
+
+// Neither the sky nor the bottom is seen where there are sea, floes and islands.
+TEST_P(NodesInPictures, LeaveNoHoleInASeaWithIce) {
+  test::Places places(12);
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  const int cameras = test::by_effort(10'000, 30, 4);
+  Scene scene = icy_sea(GetParam(), 6.36e6);
+  const double sea = 1.0 + scene.water.level / scene.planet.radius;
+  std::int64_t looked_at = 0;
+  for (int n = 0; n < cameras; ++n) {
+    look_at_random(scene, places, n);
+    const View view = small_view();
+    const Pose pose = pose_of(scene, view);
+    const Image distance = take_measurement(renderer, scene, still(), Channel::distance);
+    looked_at += check_holes(pose, view, sea - pixel_at_limb(pose), [&](int x, int y, double farthest) {
+      return distance.at(x, y)[0] <= farthest * scene.planet.radius;
+    });
     if (HasFailure()) FAIL() << "camera " << n;
   }
   EXPECT_GT(looked_at, cameras * 500);
@@ -471,7 +512,7 @@ TEST(PersistentGridInPictures, PassesFromPlaceToPlaceWithoutAHole) {
     for (int frame = 0; frame < 2000 && (frame == 0 || !renderer.settled()); ++frame) {
       renderer.draw(scene, view, {Channel::distance, Effort::live, true});
       const std::vector<float> distances = renderer.read_light();
-      check_holes(pose, view, 1.0 - 2.0 * pixel_at_limb(pose) - 0.06, [&](int x, int y) {
+      check_holes(pose, view, 1.0 - 2.0 * pixel_at_limb(pose) - 0.06, [&](int x, int y, double) {
         return std::isfinite(distances[4 * static_cast<std::size_t>((height - 1 - y) * width + x)]);
       });
       if (HasFailure()) FAIL() << latitude << " " << clearance << ", frame " << frame;
