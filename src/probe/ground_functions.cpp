@@ -138,7 +138,7 @@ Function terrain_height() {
                     {},
                     {{"part", Kind::number, "", parts},
                      {"first", Kind::whole, "", {0.0, 24.0}},
-                     {"low", Kind::number, "", parts}}});
+                     {"low", Kind::number, "", parts, true}}});
   f.fit = [](Json& args, Random& random) {
     // Ridges of a smaller part of all layers are so steep that single precision holds no squares of it.
     constexpr double faintest = 1e-9;

@@ -101,7 +101,7 @@ Range cover_around(const f64::Ice& ice, const glm::dvec3& direction, double chor
 Range ice_around(const f64::Ice& ice, const glm::dvec3& direction, double chord, double footprint) {
   Range cover = {-1.0, 1.0};
   if (f64::floe_frequency * chord < 0.5) cover = cover_around(ice, direction, chord, footprint);
-  return {f64::ice_height(cover.least, ice), f64::ice_height(cover.most, ice)};
+  return {f64::ice_height(cover.least, ice, footprint), f64::ice_height(cover.most, ice, footprint)};
 }
 
 }  // namespace terrella::reference

@@ -35,7 +35,7 @@ glm::dvec3 polar(Places& places, const f64::Ice& ice) {
 }
 
 double height_at(const glm::dvec3& direction, const f64::Ice& ice, double footprint) {
-  return f64::ice_height(f64::ice_cover(direction, ice, footprint), ice);
+  return f64::ice_height(f64::ice_cover(direction, ice, footprint), ice, footprint);
 }
 
 TEST(IceBounds, HoldAllIceAround) {
