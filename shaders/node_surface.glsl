@@ -70,7 +70,7 @@ void lay_ice_at_pixel(inout GroundAt ground, Terrain t, vec3 up, float own, floa
   if (!ice_near(up, t.ice)) return;
   if (node_height.w > 0.0) ground.height = own;
   if (ground.height > t.ice.thickness) return;
-  float height = ice_height(ice_cover(up, t.ice, footprint), t.ice, footprint) - t.ice.sea;
+  float height = ice_height(ice_cover(up, t.ice, footprint), t.ice) - t.ice.sea;
   if (height <= ground.height) return;
   ground.height = height;
   ground.gradient = vec3(0.0);

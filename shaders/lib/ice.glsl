@@ -65,11 +65,7 @@ bool ice_near(vec3 direction, Ice ice) {
   return ice.sine <= 1.0 && ice.sea > 0.0 && abs(direction.z) > ice.sine - 0.08;
 }
 
-// Height of the ice's upper side over the sphere, radii; under water, of its foot, so that it ends in a slope. footprint:
-// rad, by which samples stand apart. Where that is more than the ice is thick, its rim is so gentle that of two samples on
-// either side of the edge both lie on it: straight lines between a low rim and a deep foot meet the water at the rim.
-float ice_height(float cover, Ice ice, float footprint) {
-  float width = max(ice.thickness, 1.5 * footprint);
-  float rim = ice.thickness / width * clamp(cover, -width, width);
-  return ice.sea + rim + clamp(cover + width, -0.04, 0.0);
+// Height of the ice's upper side over the sphere, radii; under water, of its foot, so that it ends in a slope.
+float ice_height(float cover, Ice ice) {
+  return ice.sea + clamp(cover, -0.04, ice.thickness);
 }

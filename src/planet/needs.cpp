@@ -309,7 +309,7 @@ void decide_clouds(Needs& needs, const Scene& scene, const Pose& pose, Decisions
   needs.clouds = Clouds::shell;
   decide.add("clouds", name_of(needs.clouds), "the only model of clouds in this version");
   const double pixel = pose.pixel_angle * std::abs(glm::length(pose.eye) - cloud_radius(scene));
-  // Nor may they dip into what lies under them, however small that is from afar.
+  // Nor may they dip into what lies under them, however small that is from afar, as far as the finest sphere can tell.
   needs.cloud_level = sphere_level(std::min(scene.quality.pixel_error * pixel, of_gap * gap_below_clouds(scene)));
   decide.add("clouds.level", needs.cloud_level,
              "the coarsest sphere within quality.pixel_error, and no finer than level 6");

@@ -41,9 +41,9 @@ class Strewn {
   }
 
   // Floe::from_rim. Each of two distances changes by at most the reach; one place's nearest point is another's only if
-  // no other point comes nearer on the way.
+  // no other point comes nearer on the way, and only if that is looked in the cell where it lies.
   [[nodiscard]] Range from_rim() const {
-    return {std::max(0.5 * (nearest_.second - nearest_.first) - reach_, 0.0),
+    return {std::max(0.5 * (nearest_.second - nearest_of_all_.first) - reach_, 0.0),
             0.5 * (nearest_of_all_.second - nearest_.first) + reach_};
   }
 
@@ -101,7 +101,7 @@ Range cover_around(const f64::Ice& ice, const glm::dvec3& direction, double chor
 Range ice_around(const f64::Ice& ice, const glm::dvec3& direction, double chord, double footprint) {
   Range cover = {-1.0, 1.0};
   if (f64::floe_frequency * chord < 0.5) cover = cover_around(ice, direction, chord, footprint);
-  return {f64::ice_height(cover.least, ice, footprint), f64::ice_height(cover.most, ice, footprint)};
+  return {f64::ice_height(cover.least, ice), f64::ice_height(cover.most, ice)};
 }
 
 }  // namespace terrella::reference

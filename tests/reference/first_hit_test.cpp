@@ -206,6 +206,7 @@ Scene some_ground(Places& places, int number) {
   terrain.lacunarity = places.between(1.0, 4.0);
   terrain.ridged = number % 2 == 0;
   terrain.ranges = number % 3 == 1 ? places.between(0.0, 1.0) : 0.0;
+  terrain.foothills = number % 2 == 0 ? places.between(0.0, 1.0) : 0.0;
   terrain.range_layer = number % 8 == 4 ? 7 : number % 4;  // beyond all layers; where power is 0, too
   terrain.craters = number % 2 == 0 ? 1.0 : 0.0;
   terrain.crater_sizes = number % 6;

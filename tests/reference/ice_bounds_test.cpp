@@ -35,7 +35,7 @@ glm::dvec3 polar(Places& places, const f64::Ice& ice) {
 }
 
 double height_at(const glm::dvec3& direction, const f64::Ice& ice, double footprint) {
-  return f64::ice_height(f64::ice_cover(direction, ice, footprint), ice, footprint);
+  return f64::ice_height(f64::ice_cover(direction, ice, footprint), ice);
 }
 
 TEST(IceBounds, HoldAllIceAround) {
@@ -55,6 +55,30 @@ TEST(IceBounds, HoldAllIceAround) {
           ASSERT_LE(height, range.most + 1e-13) << latitude << ", chord " << chord;
         }
       }
+    }
+  }
+}
+
+// Where the nearest point of all lies in a cell that only some places look in: for the others a further one is the
+// nearest.
+TEST(IceBounds, HoldWherePlacesLookInOtherCells) {
+  struct Rare {
+    unsigned seed;
+    glm::dvec3 middle;  // cells
+    double reach;       // cells
+  };
+  Places places(34U);
+  for (const Rare& rare :
+       {Rare{85U, {-1.00323, -5.97272, 13.72298}, 0.02074}, Rare{247U, {-3.9948, -6.1426, 13.0885}, 0.0052}}) {
+    const f64::Ice ice = ice_from(50.0, rare.seed);
+    const glm::dvec3 middle = glm::normalize(rare.middle);
+    const double chord = rare.reach / f64::floe_frequency;
+    const Range range = ice_around(ice, middle, chord, 0.0);
+    for (int i = 0; i < 20'000; ++i) {
+      const glm::dvec3 beside = glm::normalize(middle + 0.98 * chord * places.in_cube(0.577));
+      const double height = height_at(beside, ice, 0.0);
+      ASSERT_GE(height, range.least - 1e-13) << rare.seed;
+      ASSERT_LE(height, range.most + 1e-13) << rare.seed;
     }
   }
 }
