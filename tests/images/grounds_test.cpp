@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(OfRealSize, Grounds, testing::ValuesIn(places),
 // sea is raised, are hundreds of metres there in so few rows.
 const PlaceOfPreset places_of_presets[] = {
     {"blue_at_a_pole_20_km", "blue", 88.6, 150.0, 2e4, -20.0, {25.8, 0.046, 0.006, 0.19, 1.33, 60.5}},
-    {"blue_at_a_pole_2000_km", "blue", 86.0, 100.0, 2e6, -55.0, {24.8, 0.0695, 0.0006, 0.0049, 1.48, 32.5}},
+    {"blue_at_a_pole_2000_km", "blue", 86.0, 100.0, 2e6, -55.0, {24.8, 0.069, 0.0006, 0.0049, 1.48, 39.8}},
     {"highlands_at_180_20_km", "highlands", -48.2, 180.0, 2e4, -20.0, {31.2, 0.0535, 0.0027, 0.116, 2.67, 47.2}},
     {"frozen_at_180_2000_km", "frozen", -36.0, 180.0, 2e6, -50.0, {24.2, 0.0505, 0.0003, 0.0037, 0.91, 41.2}},
 };
