@@ -108,15 +108,15 @@ TEST_P(OnGpu, HeightFunctions) {
 TEST_P(OnGpu, TerrainHeight) {
   const auto in =
       inputs([](test::Places& p) { return std::pair(glm::vec4(glm::vec3(p.on_sphere()), 0.0F), glm::vec4(0.0F)); });
-  const auto out =
-      test::run_on_gpu({"noise", "heights"},
-                       "Terrain t; t.height = 0.15; t.frequency = 1.3; t.octaves = 10; t.persistence = 0.5; "
-                       "t.lacunarity = 2.03; t.power = 2.1;"
-                       "t.ridged = false; t.sharpness = 14.0; t.ranges.part = 0.3; t.ranges.low = 0.1; t.ranges.first = 1; t.seed = 3u;"
-                       "t.craters.depth = 1.0; t.craters.frequency = 2.0; t.craters.sizes = 6; t.craters.seed = 3u;"
-                       "t.ice.sea = 0.3; t.ice.sine = 0.8; t.ice.thickness = 0.0012; t.ice.seed = 3u;"
-                       "Height h = terrain_height_at(a.xyz, t, 0.0001); result = vec4(h.gradient, h.value);",
-                       in);
+  const auto out = test::run_on_gpu(
+      {"noise", "heights"},
+      "Terrain t; t.height = 0.15; t.frequency = 1.3; t.octaves = 10; t.persistence = 0.5; "
+      "t.lacunarity = 2.03; t.power = 2.1;"
+      "t.ridged = false; t.sharpness = 14.0; t.ranges.part = 0.3; t.ranges.low = 0.1; t.ranges.first = 1; t.seed = 3u;"
+      "t.craters.depth = 1.0; t.craters.frequency = 2.0; t.craters.sizes = 6; t.craters.seed = 3u;"
+      "t.ice.sea = 0.3; t.ice.sine = 0.8; t.ice.thickness = 0.0012; t.ice.seed = 3u;"
+      "Height h = terrain_height_at(a.xyz, t, 0.0001); result = vec4(h.gradient, h.value);",
+      in);
   f64::Terrain t;
   t.height = double{0.15F};
   t.frequency = double{1.3F};
