@@ -65,7 +65,10 @@ function(glsl_literals files out)
     if(code MATCHES "#define")
       message(FATAL_ERROR "${file}: without spaces, a #define would become another")
     endif()
-    string(REGEX REPLACE " ?([=*/<>(){},;?:&|]) ?" "\\1" code "${code}")  # 1.1 kB of the page's download
+    string(REGEX REPLACE " ?([=*/<>(){},;?:&|%]) ?" "\\1" code "${code}")  # 1.1 kB of the page's download
+    # Nor around a sign, but where that parts it from another: a - -b
+    string(REGEX REPLACE "([^-+]) ([-+])" "\\1\\2" code "${code}")
+    string(REGEX REPLACE "([-+]) ([^-+])" "\\1\\2" code "${code}")
     string(APPEND texts "    R\"glsl(#line 1 ${number} // ${file}\n${code})glsl\",\n")
     math(EXPR number "${number} + 1")
   endforeach()

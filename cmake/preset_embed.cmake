@@ -20,7 +20,10 @@ endif()
 set(texts "")
 foreach(name IN LISTS names)
   file(READ ${FOLDER}/${name}.json json)
-  string(REGEX REPLACE "\n *" "" json "${json}")  # the page carries no indents
+  # The page carries no indents, nor spaces between members.
+  string(REGEX REPLACE "\n *" "" json "${json}")
+  string(REPLACE "\": " "\":" json "${json}")
+  string(REPLACE ", \"" ",\"" json "${json}")
   string(APPEND texts "    PresetText{\"${name}\", R\"json(${json})json\"},\n")
 endforeach()
 list(LENGTH names count)

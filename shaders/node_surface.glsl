@@ -67,12 +67,10 @@ void add_layers_to(inout FinerGround finer, Terrain t, vec3 from_anchor, float f
 // Ice at the pixel, where vertices tell only whether each has any: floes have their edges, and islands in them their shores, as
 // fine as pixels are. own: height of the ground itself over the water, which vertices under ice don't tell.
 void lay_ice_at_pixel(inout GroundAt ground, Terrain t, vec3 up, float own, float footprint) {
-  if (!ice_near(up, t.ice)) return;
   if (node_height.w > 0.0) ground.height = own;
-  if (ground.height > t.ice.thickness) return;
-  float height = ice_height(ice_cover(up, t.ice, footprint), t.ice) - t.ice.sea;
-  if (height <= ground.height) return;
-  ground.height = height;
+  float height = ground.height + t.ice.sea;
+  if (!raised_to_ice(height, up, t.ice, footprint)) return;
+  ground.height = height - t.ice.sea;
   ground.gradient = vec3(0.0);
   ground.openness = openness_of(relief_of_ice);
   bare_at_pixel = 0.0;

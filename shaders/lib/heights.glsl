@@ -170,10 +170,7 @@ const float relief_of_ice = 0.0204;
 
 // Ice lies over what is lower.
 void lay_ice(inout Height ground, vec3 direction, Ice ice, float footprint) {
-  if (!ice_near(direction, ice)) return;
-  float height = ice_height(ice_cover(direction, ice, footprint), ice);
-  if (height <= ground.value) return;
-  ground.value = height;
+  if (!raised_to_ice(ground.value, direction, ice, footprint)) return;
   ground.gradient = vec3(0.0);
   ground.shape_gradient = vec3(0.0);
   ground.relief = relief_of_ice;

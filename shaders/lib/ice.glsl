@@ -27,6 +27,10 @@ struct Floe {
 // Floes in a radius, about.
 const float floe_frequency = 15.0;
 
+// A floe's point, in a cell, and its dice. hash: of the cell.
+vec3 floe_point(ivec3 cell, uint hash) { return vec3(cell) + hash_parts(hash) / 1023.0; }
+float floe_dice(uint hash) { return float((hash >> 5) & 1023u) / 1023.0; }
+
 // place: in cells.
 Floe floe_at(vec3 place, uint seed) {
   ivec3 cell = ivec3(floor(place));
@@ -35,29 +39,49 @@ Floe floe_at(vec3 place, uint seed) {
   for (int i = 0; i < 27; ++i) {
     ivec3 beside = cell + ivec3(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
     uint hash = hash_cell(beside, seed);
-    float away = distance(place, vec3(beside) + hash_parts(hash) / 1023.0);
+    float away = distance(place, floe_point(beside, hash));
     second = min(second, max(nearest, away));
     number = away < nearest ? hash : number;
     nearest = min(nearest, away);
   }
   Floe floe;
   floe.from_rim = 0.5 * (second - nearest);
-  floe.dice = float((number >> 5) & 1023u) / 1023.0;
+  floe.dice = floe_dice(number);
   return floe;
+}
+
+// Cells in a radius of the bays along the ice's edge.
+const float bays_frequency = 6.0;
+
+Noise bays_noise(vec3 direction, Ice ice) {
+  return simplex_noise(ivec3(0), bays_frequency * direction, ice.seed + 901u);
+}
+
+// How far a place lies within the ice's edge, but for floes. polar: sine of its latitude, without a sign; bays: value of
+// bays_noise.
+float within_edge(float polar, float bays, Ice ice) { return polar - ice.sine + 0.035 * bays; }
+
+// What tells the points of floes from all other noise of a planet.
+uint floe_seed(Ice ice) { return ice.seed + 902u; }
+
+// From which dice on floes are missing, and half of how far apart they lie, radians, so far within the edge.
+float dice_of_missing(float within) { return 0.45 + 0.6 * smoothstep(-0.03, 0.05, within); }
+float floes_apart(float within) { return 0.006 * (1.0 - smoothstep(0.0, 0.12, within)); }
+
+// What samples so far apart see of floes. within: the edge; floes: how far within one of them, or negative.
+float seen_cover(float within, float floes, float footprint) {
+  return min(within + 0.03, mix(within, floes, layer_weight(floe_frequency, footprint)));
 }
 
 // How far a place lies within the ice: negative beyond its edge and between floes, about in radians. The latitude decides
 // and bays of noise: at the pole the ice is whole, towards its edge it breaks into floes that lie ever further apart, until
 // some are missing. footprint: rad.
 float ice_cover(vec3 direction, Ice ice, float footprint) {
-  float bays = simplex_noise(ivec3(0), 6.0 * direction, ice.seed + 901u).value;
-  float within = abs(direction.z) - ice.sine + 0.035 * bays;
-  Floe floe = floe_at(floe_frequency * direction, ice.seed + 902u);
+  float within = within_edge(abs(direction.z), bays_noise(direction, ice).value, ice);
+  Floe floe = floe_at(floe_frequency * direction, floe_seed(ice));
   float rim = floe.from_rim / floe_frequency;
-  float apart = 0.006 * (1.0 - smoothstep(0.0, 0.12, within));
-  bool missing = floe.dice > 0.45 + 0.6 * smoothstep(-0.03, 0.05, within);
-  float floes = (missing ? -rim : rim) - apart;
-  return min(within + 0.03, mix(within, floes, layer_weight(floe_frequency, footprint)));
+  bool missing = floe.dice > dice_of_missing(within);
+  return seen_cover(within, (missing ? -rim : rim) - floes_apart(within), footprint);
 }
 
 // Whether there can be ice at a place at all.
@@ -68,4 +92,13 @@ bool ice_near(vec3 direction, Ice ice) {
 // Height of the ice's upper side over the sphere, radii; under water, of its foot, so that it ends in a slope.
 float ice_height(float cover, Ice ice) {
   return ice.sea + clamp(cover, -0.04, ice.thickness);
+}
+
+// Raises a height over the sphere to that of ice which lies over it; says whether any does. footprint: rad.
+bool raised_to_ice(inout float height, vec3 direction, Ice ice, float footprint) {
+  if (!ice_near(direction, ice) || height >= ice.sea + ice.thickness) return false;
+  float of_ice = ice_height(ice_cover(direction, ice, footprint), ice);
+  if (of_ice <= height) return false;
+  height = of_ice;
+  return true;
 }

@@ -30,8 +30,8 @@ class Strewn {
       for (cell.y = from.y - 1; cell.y <= to.y + 1; ++cell.y) {
         for (cell.x = from.x - 1; cell.x <= to.x + 1; ++cell.x) {
           const unsigned hash = f64::hash_cell(cell, seed);
-          const double away = glm::distance(middle, glm::dvec3(cell) + f64::hash_parts(hash) / 1023.0);
-          points_[count_++] = {away, static_cast<double>((hash >> 5) & 1023U) / 1023.0};
+          const double away = glm::distance(middle, f64::floe_point(cell, hash));
+          points_[count_++] = {away, f64::floe_dice(hash)};
           nearest_.add(away);
           if (glm::all(glm::greaterThanEqual(cell, to - 1)) && glm::all(glm::lessThanEqual(cell, from + 1)))
             nearest_of_all_.add(away);
@@ -73,27 +73,23 @@ class Strewn {
 
 // Of the distance from a floe's rim, rad, negative where the floe is missing (floes in ice_cover).
 Range floes_around(const f64::Ice& ice, const glm::dvec3& direction, double chord, const Range& within) {
-  const auto least_dice_of_missing = [](double w) { return 0.45 + 0.6 * glm::smoothstep(-0.03, 0.05, w); };
-  const auto gap = [](double w) { return 0.006 * (1.0 - glm::smoothstep(0.0, 0.12, w)); };
-  const Strewn strewn(f64::floe_frequency * direction, f64::floe_frequency * chord, ice.seed + 902U);
+  const Strewn strewn(f64::floe_frequency * direction, f64::floe_frequency * chord, f64::floe_seed(ice));
   const Range rim = strewn.from_rim();
-  const bool may_lie = strewn.any([&](double dice) { return dice <= least_dice_of_missing(within.most); });
-  const bool may_miss = strewn.any([&](double dice) { return dice > least_dice_of_missing(within.least); });
+  const bool may_lie = strewn.any([&](double dice) { return dice <= f64::dice_of_missing(within.most); });
+  const bool may_miss = strewn.any([&](double dice) { return dice > f64::dice_of_missing(within.least); });
   const double least = may_miss ? -rim.most : rim.least, most = may_lie ? rim.most : -rim.least;
-  return {least / f64::floe_frequency - gap(within.least), most / f64::floe_frequency - gap(within.most)};
+  return {least / f64::floe_frequency - f64::floes_apart(within.least),
+          most / f64::floe_frequency - f64::floes_apart(within.most)};
 }
 
 // Of ice_cover.
 Range cover_around(const f64::Ice& ice, const glm::dvec3& direction, double chord, double footprint) {
-  constexpr double bays_frequency = 6.0;
-  const f64::Noise noise = f64::simplex_noise(glm::ivec3(0), bays_frequency * direction, ice.seed + 901U);
-  const Range bays = noise_over({direction, chord}, {direction, noise}, bays_frequency);
-  const double polar = std::abs(direction.z) - ice.sine;
-  const Range within = {polar - chord + 0.035 * bays.least, polar + chord + 0.035 * bays.most};
-  const double shown = f64::layer_weight(f64::floe_frequency, footprint);
+  const Range bays = noise_over({direction, chord}, {direction, f64::bays_noise(direction, ice)}, f64::bays_frequency);
+  const double polar = std::abs(direction.z);
+  const Range within = {f64::within_edge(polar - chord, bays.least, ice),
+                        f64::within_edge(polar + chord, bays.most, ice)};
   const Range floes = floes_around(ice, direction, chord, within);
-  return {std::min(within.least + 0.03, glm::mix(within.least, floes.least, shown)),
-          std::min(within.most + 0.03, glm::mix(within.most, floes.most, shown))};
+  return {f64::seen_cover(within.least, floes.least, footprint), f64::seen_cover(within.most, floes.most, footprint)};
 }
 
 }  // namespace
