@@ -4,7 +4,10 @@
 // Where the water is, from the planet's centre; unit.
 vec3 water_direction() { return normalize(eye_position() + surface_from_eye); }
 
+vec3 water_place() { return surface_from_eye; }
+
 // crust: 0..1, how far a crust covers the water.
 void emit_calm_water(Ripples r, float crust, vec3 up) {
+  r.rough += ripple.z;
   emit_water(calm_water(up, depth_below(up), r, crust, water_look()), up, 0.0);
 }

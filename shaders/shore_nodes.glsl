@@ -4,8 +4,11 @@
 
 GroundAt ground_here;
 
+// Of the water over the still place that the nodes tell of, from the eye.
+vec3 water_place();
+
 float depth_below(vec3 up) {
-  vec3 place = surface_from_eye;
+  vec3 place = water_place();
   ground_here = node_ground(place, vec3(0.0));
   return -ground_here.height;
 }

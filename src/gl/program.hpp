@@ -45,8 +45,9 @@ enum Unit : int {
   unit_clouds = 1,
   unit_image = 2,
   unit_nodes = 3,  // seven of them
-  unit_heights = 10
+  unit_heights = 10,
+  unit_waves = 11
 };
-enum Block : GLuint { block_scene = 0, block_frame = 1, block_waves = 2, block_layers = 3 };
+enum Block : GLuint { block_scene = 0, block_frame = 1, block_waves = 2, block_layers = 3, block_wave_anchor = 4 };
 
 }  // namespace terrella::gl

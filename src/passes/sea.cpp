@@ -1,5 +1,6 @@
 #include "passes/sea.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -9,17 +10,15 @@
 namespace terrella {
 namespace {
 
-constexpr std::size_t most_waves = 100;
-
 // As in shaders/wave_block.glsl, std140.
 struct WaveBlock {
-  std::array<glm::vec4, most_waves> origin;
-  std::array<glm::vec4, most_waves> motion;
+  std::array<glm::vec4, most_long_waves> origin;
+  std::array<glm::vec4, most_long_waves> motion;
 };
 
 WaveBlock wave_block(const Sea& sea) {
   WaveBlock block{};
-  for (std::size_t i = 0; i < sea.waves.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(sea.waves.size(), most_long_waves); ++i) {
     const f64::Wave& wave = sea.waves[i];
     block.origin.at(i) = glm::vec4(glm::dvec4(wave.origin, wave.amplitude));
     block.motion.at(i) = glm::vec4(wave.wavenumber, wave.phase, wave.pinch, 0.0);
@@ -35,10 +34,13 @@ void SeaPass::want(const Needs& needs) {
   const bool over_nodes = has_real_size && has_nodes(needs.ground);
   if (!program_ || over_nodes != over_nodes_) {
     over_nodes_ = over_nodes;
-    program_.emplace(over_nodes ? "water/nodes" : technique_ == Water::calm ? "water/calm" : "water/waves");
+    const bool waves = technique_ == Water::waves;
+    program_.emplace(over_nodes ? (waves ? "water/waves_nodes" : "water/nodes") : waves ? "water/waves" : "water/calm");
   }
   if (over_nodes) {
-    const std::string name = needs.ripple_layers > 0 ? "water/rippled_nodes" : "water/calm_nodes";
+    const std::string name = technique_ == Water::waves ? "water/waves_nodes"
+                             : needs.ripple_layers > 0  ? "water/rippled_nodes"
+                                                        : "water/calm_nodes";
     return program_->want(name + (needs.ground_mapped ? "_mapped" : ""));
   }
   const bool near = refines_ground(needs);
@@ -50,15 +52,21 @@ void SeaPass::want(const Needs& needs) {
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
   if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
   if (!has_real_size) return;  // where nothing is over nodes, but only this tells a linker
+  if (technique_ == Water::waves) {
+    set_waves(frame);
+    short_waves_.set(frame);
+  }
   const gl::Program& program = program_->use(frame.effort == Effort::complete);
   ground->nodes(frame.ground_shown)->draw(frame, program, NodeLayer::sea);
 }
 
+void SeaPass::set_waves(const Frame& frame) {
+  const WaveBlock block = wave_block(frame.sea);
+  waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));
+}
+
 void SeaPass::draw_sphere(const Frame& frame, std::span<const RadiusRange> ground) {
-  if (frame.needs.water == Water::waves) {
-    const WaveBlock block = wave_block(frame.sea);
-    waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));
-  }
+  if (frame.needs.water == Water::waves) set_waves(frame);
   program_->use(frame.effort == Effort::complete);
   const RadiusRange water = water_range(frame);
   std::vector<float> tops(group_count, static_cast<float>(water.highest));

@@ -7,6 +7,7 @@
 #include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
 #include "passes/ground.hpp"
+#include "passes/wave_table.hpp"
 
 namespace terrella {
 
@@ -24,6 +25,7 @@ class SeaPass {
   void draw(const Frame& frame, const GroundPass* ground);
 
  private:
+  void set_waves(const Frame& frame);
   void draw_sphere(const Frame& frame, std::span<const RadiusRange> ground);
 
   Water technique_;
@@ -31,6 +33,7 @@ class SeaPass {
   std::optional<gl::ProgramChoice> program_;
   bool over_nodes_ = false;
   gl::UniformBuffer waves_;
+  WaveTable short_waves_;
 };
 
 }  // namespace terrella

@@ -231,17 +231,18 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
                       water.model == model_none ? "water.model asks for none" : "water.level is 0");
   }
   const Sea sea = make_sea(scene, 0.0);
-  const double shown = sea.highest / std::max(pose.pixel_angle * pose.clearance, 1e-12);
-  if (has_nodes(needs.ground)) {
-    needs.water = Water::calm;
-    decide.add("water", name_of(needs.water), "waves do not yet ride a ground of nodes");
-  } else if (water.model == water_calm) {
+  const double pixel = std::max(pose.pixel_angle * pose.clearance, 1e-12);
+  const bool nodes = has_nodes(needs.ground);
+  if (water.model == water_calm) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "water.model asks for it");
-  } else if (sea.waves.empty()) {
+  } else if (nodes ? sea.is_calm() : sea.waves.empty()) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "no waves are asked for");
-  } else if (shown < scene.quality.wave_height && water.model != water_waves) {
+  } else if (nodes && longest_wave(sea) < 2.0 * footprint_below(scene, pose) && water.model != water_waves) {
+    needs.water = Water::calm;
+    decide.add("water", name_of(needs.water), "the longest wave is smaller than quality.finest_layer: it roughens the water");
+  } else if (!nodes && sea.highest < scene.quality.wave_height * pixel && water.model != water_waves) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "the highest wave is lower than quality.wave_height");
   } else {
@@ -261,6 +262,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   // as an error.
   if (has_nodes(needs.ground)) {
     needs.water_lift = std::min(scene.quality.pixel_error * pose.pixel_angle, 0.05);
+    needs.sea_swell = needs.water == Water::waves ? sea.highest : 0.0;
     needs.water_most_lift = has_clouds(scene) ? of_gap * std::max(cloud_radius(scene) - water_radius(scene), 0.0) : 1.0;
   } else {
     needs.water_lift =

@@ -157,7 +157,8 @@ class Choice {
   // aside: rad beyond them.
   [[nodiscard]] bool is_between_sides(const NodeFrame& frame, double aside) const {
     const double low = 1.0 + frame.heights.lowest, high = top_of(frame);
-    const double beyond = aside * (glm::distance(sight_.eye, frame.outline.middle) + frame.outline.half_width);
+    const double beyond =
+        sight_.sea_swell + aside * (glm::distance(sight_.eye, frame.outline.middle) + frame.outline.half_width);
     return std::none_of(sight_.sides.begin(), sight_.sides.end(), [&](const glm::dvec3& side) {
       return is_outside(frame.outline, low, high, sight_.eye, side, beyond);
     });

@@ -7,7 +7,7 @@
 namespace terrella {
 
 double NodeSight::top_of_sea(const NodeOutline& node) const {
-  return sea + std::min(sea_lift * (glm::distance(eye, node.middle) + node.half_width), most_sea_lift);
+  return sea + sea_swell + std::min(sea_lift * (glm::distance(eye, node.middle) + node.half_width), most_sea_lift);
 }
 
 NodeSight node_sight(const Pose& pose, const View& view, const Rows& rows, double occluder) {

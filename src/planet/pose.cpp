@@ -14,6 +14,7 @@
 #include "planet/needs.hpp"
 #include "planet/real_size.hpp"
 #include "planet/rings.hpp"
+#include "planet/short_waves.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "planet/waves.hpp"
@@ -78,13 +79,23 @@ double ground_below(const Scene& scene, const glm::dvec3& direction) {
 
 namespace {
 
-// No crest is higher at a place, whatever the time. Shallow water holds waves back; but a crest leans aside by as much
-// as it is high at the most, and comes from where the water is deeper by that times the slope of a shore.
+// No crest of long waves is higher at a place, whatever the time. Shallow water holds waves back; but a crest leans aside
+// by as much as it is high at the most, and comes from where the water is deeper by that times the slope of a shore.
 double highest_sea(const Scene& scene, double ground) {
   const Sea sea = make_sea(scene, 0.0);
   constexpr double steep_shore = 0.25;
-  const double still = water_radius(scene), depth = still - ground + steep_shore * sea.highest;
-  return still + sea.highest * glm::smoothstep(0.0, whole_wave_depth(scene, sea), depth);
+  double highest = 0.0;
+  for (const f64::Wave& wave : sea.waves) highest += wave.amplitude;
+  const double still = water_radius(scene), depth = still - ground + steep_shore * highest;
+  return still + highest * glm::smoothstep(0.0, whole_wave_depth(sea), depth);
+}
+
+// Radius of the water's surface as short waves have it at a moment; the ground's where that is higher.
+double water_of_short_waves(const Scene& scene, const glm::dvec3& direction, double seconds) {
+  const Sea sea = make_sea(scene, seconds);
+  const double still = water_radius(scene);
+  const double depth = has_ground(scene) ? still - ground_below(scene, direction) : 1.0;
+  return still + f64::left_by_ground(depth, whole_wave_depth(sea)) * water_over(near_waves(sea, direction));
 }
 
 }  // namespace
@@ -142,7 +153,12 @@ glm::dvec3 direction_below(const Scene& scene) { return direction_of(scene.camer
 }  // namespace
 
 Pose pose_of(const Scene& scene, const View& view) {
-  return pose_over(surface_radius(scene, direction_below(scene)), scene, view);
+  const glm::dvec3 below = direction_below(scene);
+  double surface = surface_radius(scene, below);
+  // Eyes between crests and troughs stay over the water.
+  if (has_water(scene) && scene.camera.altitude / scene.planet.radius <= sea_top(scene) - 1.0 + least_clearance(scene))
+    surface = std::max(surface, water_of_short_waves(scene, below, view.seconds));
+  return pose_over(surface, scene, view);
 }
 
 Pose pose_over_coarse_ground(const Scene& scene, const View& view) {
@@ -200,9 +216,12 @@ double ice_top(const Scene& scene) {
   return water_radius(scene) + f64::ice_thickness(scene.terrain.height / scene.planet.radius);
 }
 
+double sea_top(const Scene& scene) {
+  return has_water(scene) ? water_radius(scene) + make_sea(scene, 0.0).highest : 1.0;
+}
+
 double relief_top(const Scene& scene) {
-  const double top = std::max(ground_top(scene), ice_top(scene));
-  return has_water(scene) ? std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest) : top;
+  return std::max({ground_top(scene), ice_top(scene), sea_top(scene)});
 }
 
 double top_radius(const Scene& scene) {

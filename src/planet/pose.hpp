@@ -43,8 +43,8 @@ double least_clearance(const Scene& scene);
 // Unit vector to a place on the planet. Degrees.
 glm::dvec3 direction_of(double latitude, double longitude);
 
-// Radius of the highest of ground and sea at a direction, as seen and as computed in full: under waves, of the highest
-// crest that may come there.
+// Radius of the highest of ground and sea at a direction, as seen and as computed in full: under waves that are long
+// beside the planet, of the highest crest that may come there; of a sea of short ones, as it is without them.
 double surface_radius(const Scene& scene, const glm::dvec3& direction);
 
 // Total: any scene that passes validation gives a finite pose.
@@ -82,6 +82,9 @@ double ground_top(const Scene& scene);
 
 // As high as ice on the sea can rise, radii; 1 where there is none.
 double ice_top(const Scene& scene);
+
+// As high as crests of the sea can rise, radii; 1 where there is none.
+double sea_top(const Scene& scene);
 
 // The highest that ground, ice and sea rise, radii.
 double relief_top(const Scene& scene);

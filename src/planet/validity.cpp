@@ -115,7 +115,7 @@ void judge_clouds(const Scene& scene, const Pose& pose, const Needs& needs, std:
 }
 
 void judge_waves(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
-  if (needs.water != Water::waves) return;
+  if (needs.water != Water::waves || has_nodes(needs.ground)) return;
   const double edge = icosphere_edge(needs.water_level), least = edge / most_cells_on_edge;
   double shortest = std::numeric_limits<double>::infinity(), missed_squares = 0.0;
   for (const f64::Wave& wave : make_sea(scene, 0.0).waves) {
@@ -134,7 +134,7 @@ void judge_waves(const Scene& scene, const Pose& pose, const Needs& needs, std::
 void judge_water(const Scene& scene, const View& view, const Pose& pose, const Needs& needs,
                  std::vector<Issue>& issues) {
   const bool waves = needs.water == Water::waves, ripples = needs.ripple_layers > 0;
-  if (waves || ripples) {
+  if ((waves && !has_nodes(needs.ground)) || ripples) {
     const double nearest = (waves ? waves_swim : ripples_swim) / most_swim / pose.pixel_angle;
     if (pose.clearance < nearest) {
       const double radius = scene.planet.radius;

@@ -6,14 +6,27 @@
 #include <random>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "planet/wind_sea.hpp"
 
 namespace terrella {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
+// Places in the choice lists of params.inc.
+enum : int { water_calm = 2, spectrum_wind = 1 };
+
 // Just under the sum at which the surface folds.
 constexpr double most_pinch = 0.95;
+
+// Of a normal distribution one in a thousand million lies further from its mean.
+constexpr double most_deviations = 6.0;
+
+// Waves with more of them in a radian of arc (times a turn) are short: single precision knows the phases of others from
+// the direction of a place.
+constexpr double longest_short = 5000.0;
 
 // Uniform in 0..1, the same on every machine (the standard's distributions are not).
 double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
@@ -25,56 +38,171 @@ glm::dvec3 any_direction(std::mt19937& random) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
+// A wave as the scene asks for it, before it has its place. SI units, but amplitudes as parts of one another.
+struct AskedWave {
+  double length, amplitude;
+  double frequency;  // rad/s
+  glm::dvec3 origin;
+  double heading;  // of its way through the middle of a region, from that of the wind, rad
+  double start;    // phase, rad
+};
+
+glm::dvec3 origin_between(const glm::dvec3& main, const glm::dvec3& own, double spread) {
+  const glm::dvec3 origin = main * (1.0 - spread) + own * spread;
+  return glm::length(origin) > 1e-3 ? glm::normalize(origin) : own;
+}
+
+std::vector<AskedWave> free_waves(const Scene& scene, std::mt19937& random) {
+  const auto& from = scene.waves;
+  const glm::dvec3 main_origin = any_direction(random);
+  std::vector<AskedWave> waves;
+  for (int i = 0; i < from.count; ++i) {
+    const double rank = from.count > 1 ? static_cast<double>(i) / (from.count - 1) : 0.0;
+    const double part = std::pow(0.2, rank) * (i == 0 ? 1.0 : 0.85 + 0.3 * uniform(random));
+    const glm::dvec3 own = any_direction(random);
+    AskedWave wave;
+    wave.length = part * from.length;
+    wave.amplitude = part;
+    wave.frequency = turn / wave.length * from.speed * std::sqrt(part);
+    wave.origin = origin_between(main_origin, own, from.spread);
+    wave.heading = from.spread * std::atan2(own.y, own.x);
+    wave.start = turn * uniform(random);
+    waves.push_back(wave);
+  }
+  // In pixels those that are too short for one are the last.
+  std::stable_sort(waves.begin(), waves.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
+  return waves;
+}
+
+std::vector<AskedWave> waves_of_wind(const Scene& scene, std::mt19937& random) {
+  const auto& from = scene.waves;
+  const double fetch = std::min(from.fetch, std::numbers::pi * scene.planet.radius);
+  const glm::dvec3 main_origin = any_direction(random);
+  std::vector<double> jitter;
+  for (int i = 0; i < from.count; ++i) jitter.push_back(uniform(random));
+  std::vector<AskedWave> waves;
+  // Angles of neighbours in length differ as those of a sunflower's seeds.
+  double part = uniform(random);
+  for (const WindWave& raised : wind_waves(WindSpectrum(from.wind, fetch), from.shortest, jitter)) {
+    part += std::numbers::phi;
+    AskedWave wave;
+    wave.length = raised.length;
+    wave.amplitude = raised.amplitude;
+    wave.frequency = deep_frequency(raised.length);
+    wave.origin = origin_between(main_origin, any_direction(random), from.spread);
+    wave.heading = 2.0 * from.spread * angle_of_part(part - std::floor(part));
+    wave.start = turn * uniform(random);
+    waves.push_back(wave);
+  }
+  return waves;
+}
+
+// Axes in the middle of a region: where it lies, and where north is there, which at the poles goes on along longitude 0.
+glm::dvec3 middle_of(int region) {
+  glm::dvec3 middle(0.0);
+  middle[region / 2] = region % 2 == 0 ? 1.0 : -1.0;
+  return middle;
+}
+
+glm::dvec3 north_of(int region) {
+  const glm::dvec3 middle = middle_of(region);
+  return region < 4 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(-middle.z, 0.0, 0.0);
+}
+
+double phase_of(const AskedWave& wave, double start, double seconds) {
+  // Crests run away from the origin: the phase falls with time.
+  return std::remainder(start - std::fmod(wave.frequency * seconds, turn), turn);
+}
+
+// How waves of different lengths, each of them as steep as it may be, meet.
+struct Sums {
+  double amplitude = 0.0, slope = 0.0;
+  double squares = 0.0, slope_squares = 0.0;
+
+  void add(double wave_amplitude, double wavenumber) {
+    amplitude += wave_amplitude;
+    slope += wave_amplitude * wavenumber;
+    squares += wave_amplitude * wave_amplitude;
+    slope_squares += std::pow(wave_amplitude * wavenumber, 2);
+  }
+};
+
 }  // namespace
 
 Sea make_sea(const Scene& scene, double seconds) {
   const auto& from = scene.waves;
+  const bool wind = from.spectrum == spectrum_wind;
   Sea sea;
-  if (from.count == 0 || from.amplitude <= 0.0) return sea;
+  if (scene.water.model == water_calm || from.count == 0 || (!wind && from.amplitude <= 0.0)) return sea;
 
   std::mt19937 random(static_cast<std::mt19937::result_type>(from.seed) * 2654435761U + 17U);
-  const glm::dvec3 main_origin = any_direction(random);
   const double radius = scene.planet.radius;
-  const double longest = from.length / radius;
-  const double longest_speed = from.speed / radius;
+  const std::vector<AskedWave> asked = wind ? waves_of_wind(scene, random) : free_waves(scene, random);
   double squares = 0.0;
-  double amplitude_sum = 0.0;
-  double slope_sum = 0.0;
-  for (int i = 0; i < from.count; ++i) {
-    const double rank = from.count > 1 ? static_cast<double>(i) / (from.count - 1) : 0.0;
-    const double length = longest * std::pow(0.2, rank) * (i == 0 ? 1.0 : 0.85 + 0.3 * uniform(random));
-    const glm::dvec3 own = any_direction(random);
-    glm::dvec3 origin = main_origin * (1.0 - from.spread) + own * from.spread;
-    origin = glm::length(origin) > 1e-3 ? glm::normalize(origin) : own;
-    const double start = turn * uniform(random);
-    const double wavenumber = turn / length;
-    const double speed = longest_speed * std::sqrt(length / longest);
-    f64::Wave wave;
-    wave.origin = origin;
-    wave.amplitude = length / longest;
-    wave.wavenumber = wavenumber;
-    // Crests run away from the origin: the phase falls with time.
-    wave.phase = std::remainder(start - std::fmod(wavenumber * speed * seconds, turn), turn);
-    wave.pinch = 0.0;
-    sea.waves.push_back(wave);
-    squares += std::pow(length / longest, 2);
+  for (const AskedWave& wave : asked) squares += wave.amplitude * wave.amplitude;
+  sea.amplitude = (wind ? std::sqrt(squares) : from.amplitude) / radius;
+  const double scale = sea.amplitude / std::sqrt(squares);
+
+  Sums all, of_short;
+  for (const AskedWave& wave : asked) {
+    const double amplitude = scale * wave.amplitude, wavenumber = turn * radius / wave.length;
+    all.add(amplitude, wavenumber);
+    if (wavenumber < longest_short) {
+      sea.waves.push_back({wave.origin, amplitude, wavenumber, phase_of(wave, wave.start, seconds), 0.0});
+      continue;
+    }
+    of_short.add(amplitude, wavenumber);
+    RegionalWave regional = {amplitude, wavenumber, 0.0, glm::radians(from.direction) + std::numbers::pi + wave.heading, {}};
+    for (double& phase : regional.phases) phase = phase_of(wave, turn * uniform(random), seconds);
+    sea.short_waves.push_back(regional);
   }
 
-  const double scale = from.amplitude / radius / std::sqrt(squares);
-  for (f64::Wave& wave : sea.waves) {
-    wave.amplitude *= scale;
-    amplitude_sum += wave.amplitude;
-    slope_sum += wave.amplitude * wave.wavenumber;
-  }
-  sea.steepness = std::min(from.steepness, most_pinch / std::max(slope_sum, 1e-12));
+  const double unlikely_slope = most_deviations * std::sqrt(0.5 * all.slope_squares);
+  sea.steepness = std::min(from.steepness, most_pinch / std::max(std::min(all.slope, unlikely_slope), 1e-12));
   sea.held = sea.steepness < from.steepness;
-  sea.highest = amplitude_sum;
   for (f64::Wave& wave : sea.waves) wave.pinch = sea.steepness * wave.amplitude;
+  for (RegionalWave& wave : sea.short_waves) wave.pinch = sea.steepness * wave.amplitude;
+  // Where three regions meet, each has its waves there.
+  sea.highest = (all.amplitude - of_short.amplitude) + std::min(std::numbers::sqrt3 * of_short.amplitude,
+                                                                most_deviations * std::sqrt(0.5 * of_short.squares));
+  sea.slope_variance = 0.5 * all.slope_squares;
+  sea.breaking.choppiness = sea.steepness;
+  if (wind) {
+    // So that as much is white as that wind whitens: the Jacobian's deviation is about that of the slopes' sum.
+    const double deviation = std::max(sea.steepness * std::sqrt(sea.slope_variance), 1e-6);
+    sea.breaking.fold = 1.0 + deviations_of(whitecaps(from.wind)) * deviation;
+    sea.breaking.softness = 0.3 * deviation;
+  }
   return sea;
 }
 
-double whole_wave_depth(const Scene& scene, const Sea& sea) {
-  return std::max(4.0 * scene.waves.amplitude / scene.planet.radius, 1.125 * sea.highest) + 1e-6;
+f64::Wave in_region(const RegionalWave& wave, int region) {
+  const glm::dvec3 north = north_of(region), east = glm::cross(north, middle_of(region));
+  // A quarter of a great circle behind the region's middle.
+  const glm::dvec3 origin = -std::cos(wave.heading) * north - std::sin(wave.heading) * east;
+  return {origin, wave.amplitude, wave.wavenumber, wave.phases.at(static_cast<std::size_t>(region)), wave.pinch};
 }
+
+f64::WaveSum waves_at(const Sea& sea, const glm::dvec3& place, const f64::Frame& frame) {
+  f64::WaveSum sum = f64::no_waves();
+  for (const f64::Wave& wave : sea.waves) f64::add_wave(sum, place, frame, wave, 1.0);
+  if (sea.short_waves.empty()) return sum;
+  const glm::dvec3 parts = f64::parts_of_regions(place);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (parts[axis] <= 0.0) continue;
+    const int region = 2 * axis + (place[axis] < 0.0 ? 1 : 0);
+    for (const RegionalWave& wave : sea.short_waves)
+      f64::add_wave(sum, place, frame, in_region(wave, region), parts[axis]);
+  }
+  return sum;
+}
+
+double longest_wave(const Sea& sea) {
+  double least = sea.short_waves.empty() ? 0.0 : sea.short_waves.front().wavenumber;
+  for (const f64::Wave& wave : sea.waves) least = least > 0.0 ? std::min(least, wave.wavenumber) : wave.wavenumber;
+  return least > 0.0 ? turn / least : 0.0;
+}
+
+double whole_wave_depth(const Sea& sea) { return std::max(4.0 * sea.amplitude, 1.125 * std::max(sea.highest, 1e-9)); }
 
 }  // namespace terrella

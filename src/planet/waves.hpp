@@ -1,6 +1,7 @@
 // The waves of a scene's sea.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "formulas/formulas.hpp"
@@ -8,23 +9,54 @@
 
 namespace terrella {
 
+// Of the sphere (lib/short_waves.glsl): around the positive and the negative x, y and z.
+inline constexpr int regions = 6;
+
+// A wave that is short beside the planet: each region has it from another origin.
+struct RegionalWave {
+  double amplitude;   // planet radii
+  double wavenumber;  // rad per radian of arc
+  double pinch;       // Q A, planet radii
+  double heading;     // where it runs in the middle of a region, rad, clockwise from north
+  std::array<double, regions> phases;  // at its origin in each region, reduced to one turn
+};
+
 struct Sea {
-  std::vector<f64::Wave> waves;  // longest first
-  double steepness = 0.0;        // as drawn
-  bool held = false;             // true where the asked steepness would fold the surface over
-  double highest = 0.0;          // no crest rises higher than this over the still sea, planet radii
+  // Those that are long beside the planet run around all of it.
+  std::vector<f64::Wave> waves;
+  std::vector<RegionalWave> short_waves;  // longest first
+  double steepness = 0.0;                 // as drawn
+  bool held = false;                      // true where the asked steepness would fold the surface over
+  // No crest rises higher than this over the still sea, planet radii: at short waves but for one in a thousand million.
+  double highest = 0.0;
+  double amplitude = 0.0;       // of one wave that is as high as all together, planet radii
+  double slope_variance = 0.0;  // of all waves; of both directions together
+  f64::Breaking breaking = {0.5, 0.11, 0.0};
+
+  [[nodiscard]] bool is_calm() const { return waves.empty() && short_waves.empty(); }
 };
 
 // The waves at a time (s, any; phases are reduced to one turn in double precision). Lengths in planet radii.
 //
-// Lengths fall from the longest to a fifth of it, heights with them, so that the root mean square height is that of one
-// wave of the asked amplitude, however many there are. Speeds follow deep water: as the square root of the length. The
-// sum of pinch times wavenumber stays below 1 (Michelic 8, as corrected: Q A w summed), where trochoids begin to loop.
+// Free: lengths fall from the longest to a fifth of it, heights with them, so that the root mean square height is that of
+// one wave of the asked amplitude, however many there are. Speeds follow deep water: as the square root of the length.
+// Wind: as wind_sea.hpp has them, over a fetch that ends at half the planet's girth.
+// The sum of pinch times wavenumber stays below 1 (Michelic 8, as corrected: Q A w summed), where trochoids begin to
+// loop; where waves are so many that they never meet, six standard deviations of that sum do.
 Sea make_sea(const Scene& scene, double seconds);
+
+// The wave as a region (0..regions - 1) has it.
+f64::Wave in_region(const RegionalWave& wave, int region);
+
+// Waves of a place (unit direction), each as strong as its region is there; not yet held by the ground.
+f64::WaveSum waves_at(const Sea& sea, const glm::dvec3& place, const f64::Frame& frame);
+
+// Length (planet radii) of the longest wave; 0 where there are none.
+double longest_wave(const Sea& sea);
 
 // Depth (planet radii) from which waves no longer feel the ground: a few of their heights, and so deep that at a place
 // of less depth no trough reaches down to the ground. Waves are held by smoothstep(0, whole, depth), which at a depth d
 // is at most 9/8 d / whole.
-double whole_wave_depth(const Scene& scene, const Sea& sea);
+double whole_wave_depth(const Sea& sea);
 
 }  // namespace terrella

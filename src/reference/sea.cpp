@@ -1,6 +1,7 @@
 #include "reference/sea.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -8,8 +9,6 @@
 
 namespace terrella::reference {
 namespace {
-
-constexpr int water_calm = 2;  // place in the choice list of params.inc
 
 // Of a slope or a stretch, in wavenumbers of its wave: one that fades around its origin changes by half as much again.
 constexpr double fastest_change = 1.5;
@@ -22,13 +21,49 @@ double widest_stretch(const f64::WaveSum& sum) {
 }  // namespace
 
 Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
-    : radius_(water_radius(scene)), whole_depth_(1.0), ground_(ground) {
-  if (scene.water.model != water_calm) sea_ = make_sea(scene, seconds);
-  whole_depth_ = whole_wave_depth(scene, sea_);
+    : sea_(make_sea(scene, seconds)),
+      radius_(water_radius(scene)),
+      whole_depth_(whole_wave_depth(sea_)),
+      ground_(ground) {
+  const auto bend = [](const auto& wave) {
+    return fastest_change * wave.amplitude * wave.wavenumber * wave.wavenumber;
+  };
   for (const f64::Wave& wave : sea_.waves) {
     most_shift_ += wave.pinch;
-    most_squeeze_ += fastest_change * wave.pinch * wave.wavenumber * wave.wavenumber;
-    most_curvature_ += fastest_change * wave.amplitude * wave.wavenumber * wave.wavenumber;
+    most_curvature_ += bend(wave);
+  }
+  for (int region = 0; region < regions; ++region) {
+    for (const RegionalWave& wave : sea_.short_waves)
+      short_waves_.at(static_cast<std::size_t>(region)).push_back(in_region(wave, region));
+  }
+  // As in Sea::highest.
+  double shifts = 0.0, bends = 0.0, shift_squares = 0.0, bend_squares = 0.0;
+  for (const RegionalWave& wave : sea_.short_waves) {
+    shifts += wave.pinch;
+    bends += bend(wave);
+    shift_squares += 0.5 * wave.pinch * wave.pinch;
+    bend_squares += 0.5 * bend(wave) * bend(wave);
+  }
+  most_shift_ += std::min(std::numbers::sqrt3 * shifts, 6.0 * std::sqrt(shift_squares));
+  most_curvature_ += std::min(std::numbers::sqrt3 * bends, 6.0 * std::sqrt(bend_squares));
+  most_squeeze_ = sea_.steepness * most_curvature_;
+}
+
+template <class Function>
+void Sea::each_wave(const glm::dvec3& direction, double distance, const Function& function) const {
+  for (const f64::Wave& wave : sea_.waves) function(wave, 1.0, 1.0);
+  if (sea_.short_waves.empty()) return;
+  // No part of a region changes faster.
+  constexpr double steepest = 50.0;
+  const glm::dvec3 parts = f64::parts_of_regions(direction);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double most = std::min(1.0, parts[axis] + steepest * distance);
+    // Regions begin where a direction's size along their axis is nearly its greatest.
+    const double size = std::abs(direction[axis]) + 2.0 * distance;
+    if (parts[axis] <= 0.0 && size < 0.95 * std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}))
+      continue;
+    const int region = 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
+    for (const f64::Wave& wave : short_waves_.at(static_cast<std::size_t>(region))) function(wave, parts[axis], most);
   }
 }
 
@@ -38,7 +73,9 @@ double Sea::depth_at(const glm::dvec3& direction) const {
 
 f64::WaveSum Sea::whole_sum(const glm::dvec3& still, const f64::Frame& frame) const {
   f64::WaveSum sum = f64::no_waves();
-  for (const f64::Wave& wave : sea_.waves) f64::add_wave(sum, still, frame, wave, 1.0);
+  each_wave(still, 0.0, [&](const f64::Wave& wave, double part, double) {
+    if (part > 0.0) f64::add_wave(sum, still, frame, wave, part);
+  });
   return sum;
 }
 
@@ -110,16 +147,19 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
   for (int round = 0; round < 3; ++round) {
     f64::WaveSum felt = f64::no_waves();
     double any_height = 0.0, any_shift = 0.0, curvature = 0.0, squeeze = 0.0;
-    for (const f64::Wave& wave : sea_.waves) {
-      if (wave.wavenumber * away > 1.0) {
-        any_height += wave.amplitude;
-        any_shift += wave.pinch;
-      } else {
-        f64::add_wave(felt, direction, frame, wave, 1.0);
-        curvature += fastest_change * wave.amplitude * wave.wavenumber * wave.wavenumber;
-        squeeze += fastest_change * wave.pinch * wave.wavenumber * wave.wavenumber;
-      }
-    }
+    each_wave(direction, away, [&](const f64::Wave& wave, double part, double most) {
+      const bool is_short = wave.wavenumber * away > 1.0;
+      const double any = is_short ? most : most - part;
+      any_height += any * wave.amplitude;
+      any_shift += any * wave.pinch;
+      if (is_short) return;
+      f64::add_wave(felt, direction, frame, wave, part);
+      curvature += fastest_change * most * wave.amplitude * wave.wavenumber * wave.wavenumber;
+      squeeze += fastest_change * most * wave.pinch * wave.wavenumber * wave.wavenumber;
+    });
+    // Many short waves never meet (Sea::highest).
+    any_height = std::min(any_height, sea_.highest);
+    any_shift = std::min(any_shift, most_shift_);
     const double widest = widest_stretch(felt), shift = glm::length(felt.shift);
     double nearer = away;
     for (int i = 0; i < 4; ++i) {

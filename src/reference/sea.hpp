@@ -1,7 +1,9 @@
 // The true surface of a scene's water. Lengths in planet radii.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "planet/waves.hpp"
 #include "reference/directions.hpp"
@@ -30,7 +32,9 @@ class Sea {
 
   [[nodiscard]] double still_radius() const { return radius_; }
   [[nodiscard]] double whole_depth() const { return whole_depth_; }
-  [[nodiscard]] bool has_waves() const { return !sea_.waves.empty(); }
+  [[nodiscard]] bool has_waves() const { return !sea_.is_calm(); }
+  [[nodiscard]] const f64::Breaking& breaking() const { return sea_.breaking; }
+  [[nodiscard]] double amplitude() const { return sea_.amplitude; }
 
   // Depth of the still water over the ground at a direction (unit); at most 0: land.
   [[nodiscard]] double depth_at(const glm::dvec3& direction) const;
@@ -67,7 +71,13 @@ class Sea {
   [[nodiscard]] Range left_around(const glm::dvec3& direction, double distance) const;
   [[nodiscard]] double most_of_deep_water(const WaterAt& middle, double chord) const;
 
+  // Asks function(wave, part, most) for each wave that comes within a distance of a direction: how strong it is there, and
+  // at the most around it, 0..1.
+  template <class Function>
+  void each_wave(const glm::dvec3& direction, double distance, const Function& function) const;
+
   terrella::Sea sea_;
+  std::array<std::vector<f64::Wave>, regions> short_waves_;
   double radius_, whole_depth_;
   double most_shift_ = 0.0;  // no water moves further aside
   // No wave changes its slope, nor how it moves water aside, faster.

@@ -9,6 +9,7 @@
 
 #include "planet/materials.hpp"
 #include "planet/milky_band.hpp"
+#include "planet/needs.hpp"
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/sun.hpp"
@@ -79,7 +80,9 @@ Tracer::SeenGround Tracer::ground_at(const glm::dvec3& place) const {
 Tracer::SeenWater Tracer::water_at(const glm::dvec3& place) const {
   const WaterAt at = sea_->over(glm::normalize(place));
   if (sea_->has_waves()) {
-    const double amplitude = std::max(scene_.waves.amplitude / scene_.planet.radius, 1e-9);
+    if (has_nodes(ground_technique(scene_)))
+      return {at, f64::open_water(at.still, at.depth, at.sum, at.frame, 0.0, sea_->breaking(), sea_->whole_depth(), look_)};
+    const double amplitude = std::max(sea_->amplitude(), 1e-9);
     return {at, f64::wavy_water(at.still, at.depth, at.sum, at.frame, amplitude, sea_->whole_depth(), look_)};
   }
   const double frequency = scene_.water.ripple_frequency;

@@ -1,0 +1,3 @@
+// A sea of waves over a ground of nodes.
+#include "node_no_map.glsl"
+#include "wavy_nodes.glsl"

@@ -1,0 +1,3 @@
+// A sea of waves over a ground of nodes with continents of a map.
+#include "node_map.glsl"
+#include "wavy_nodes.glsl"

@@ -1,0 +1,64 @@
+#include "planet/short_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace terrella {
+namespace {
+
+// In lengths of a wave: further away pixels can't show it.
+constexpr double farthest_seen = 100.0;
+
+f64::ShortWave seen_from(const f64::Wave& wave, const glm::dvec3& anchor, const f64::Frame& axes) {
+  const double cosine = glm::dot(wave.origin, anchor), sine = glm::length(glm::cross(wave.origin, anchor));
+  const glm::dvec3 outward = (cosine * anchor - wave.origin) / sine;
+  const double phase = wave.phase + wave.wavenumber * std::atan2(sine, cosine);
+  return {{glm::dot(outward, axes.east), glm::dot(outward, axes.north)},
+          wave.wavenumber,
+          std::remainder(phase, 2.0 * std::numbers::pi),
+          wave.amplitude,
+          wave.pinch,
+          cosine / sine};
+}
+
+}  // namespace
+
+NearWaves near_waves(const Sea& sea, const glm::dvec3& eye) {
+  NearWaves near;
+  near.anchor = glm::normalize(eye);
+  near.axes = f64::frame_at(near.anchor);
+  if (sea.short_waves.empty()) return near;
+  const glm::dvec3 size = glm::abs(near.anchor);
+  const double most = std::max({size.x, size.y, size.z});
+  const double reach = farthest_seen * 2.0 * std::numbers::pi / sea.short_waves.front().wavenumber;
+  for (int axis = 0; axis < 3; ++axis) {
+    // Where parts_of_regions begin, and as much further as that may change on the way.
+    if (size[axis] / most < 0.95 - 2.0 * reach) continue;
+    const int region = 2 * axis + (near.anchor[axis] < 0.0 ? 1 : 0);
+    auto& waves = near.waves.at(static_cast<std::size_t>(axis));
+    for (const RegionalWave& wave : sea.short_waves)
+      waves.push_back(seen_from(in_region(wave, region), near.anchor, near.axes));
+  }
+  return near;
+}
+
+double water_over(const NearWaves& near) {
+  const glm::dvec3 parts = f64::parts_of_regions(near.anchor);
+  // The water of a still place that lies as far to one side as it is moved to the other.
+  f64::WaveSum sum = f64::no_waves();
+  for (int step = 0; step < 5; ++step) {
+    const glm::dvec2 still = -sum.shift;
+    sum = f64::no_waves();
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const f64::ShortWave& wave : near.waves.at(static_cast<std::size_t>(axis)))
+        f64::add_short_wave(sum, still, wave, parts[axis]);
+    }
+  }
+  return sum.height;
+}
+
+}  // namespace terrella
