@@ -3,66 +3,82 @@
 #include "lib/short_waves.glsl"
 #include "wave_block.glsl"
 
-uniform highp sampler2D wave_table;  // a row for the region around each axis, two texels a wave (src/passes/wave_table.cpp)
-
-layout(std140) uniform WaveAnchorBlock {
+// Two vec4s a wave; the longest of each region first (src/passes/wave_lists.cpp). No block is longer than any driver takes.
+layout(std140) uniform NearWaveBlock {
   vec4 wave_anchor;    // xyz: below the eye, unit; w: height of the eye over the sea
   vec4 wave_east;      // xyz: axes there
   vec4 wave_north;
   vec4 wave_breaking;  // x: Jacobian below which water is foam; y: softness; z: choppiness
-  ivec4 wave_counts;   // xyz: waves in each row
+  vec4 waves_left;     // xyz: of the region around each axis, variance of the slopes of waves in no list
+  ivec4 waves_begin;   // xyz: where those of the region around each axis begin in the first list; w: in which they end
+  ivec4 waves_go_on;   // the same of the second list
+  vec4 wave_list[1000];
+};
+layout(std140) uniform MoreWaveBlock {
+  vec4 more_waves[1000];
 };
 
-// The sea at a still place.
+uniform int first_of_pixel;  // the first short wave that the vertices of a level of nodes don't carry
+
+const int all_short_waves = 1000;
+
+// The sea at a still place, not yet held by the ground.
 struct SeaAt {
   vec3 up;
+  vec2 arcs;  // from below the eye
   Frame frame;
   WaveSum sum;
-  float unseen;  // variance of the slopes of waves that are left out
+  float seen;  // twice the variance of slopes of the short waves in the sum
 };
 
-void add_short_waves(inout SeaAt sea_at, vec2 arcs, float footprint) {
-  vec3 parts = parts_of_regions(sea_at.up);
-  for (int axis = 0; axis < 3; ++axis) {
-    float part = parts[axis];
-    int count = part > 0.0 ? wave_counts[axis] : 0;
-    for (int i = 0; i < count; ++i) {
-      vec4 motion = texelFetch(wave_table, ivec2(2 * i, axis), 0), shape = texelFetch(wave_table, ivec2(2 * i + 1, axis), 0);
-      float shown = wave_weight(motion.z, footprint);
-      if (shown <= 0.0) {  // and so is that of all shorter ones
-        sea_at.unseen += part * part * shape.w;
-        break;
-      }
-      float slope = part * shape.x * motion.z;
-      sea_at.unseen += 0.5 * (1.0 - shown * shown) * slope * slope;
-      ShortWave wave;
-      wave.direction = motion.xy;
-      wave.wavenumber = motion.z;
-      wave.phase = motion.w;
-      wave.amplitude = shape.x;
-      wave.pinch = shape.y;
-      wave.bend = shape.z;
-      add_short_wave(sea_at.sum, arcs, wave, part * shown);
-    }
-  }
-}
-
-// from_eye: of the still place; footprint: rad; ground_slope: gradient of the ground's height.
-SeaAt sea_waves(vec3 from_eye, float footprint, float depth, vec3 ground_slope) {
+// from_eye: of the still place.
+SeaAt still_sea(vec3 from_eye) {
   Frame axes;
   axes.east = wave_east.xyz;
   axes.north = wave_north.xyz;
   vec3 anchor = wave_anchor.xyz, offset = (from_eye + wave_anchor.w * anchor) / sea.x;
   SeaAt at;
   at.up = normalize(anchor + offset);
+  at.arcs = arcs_from_anchor(offset, axes);
   at.frame = carried_axes(axes, anchor, at.up);
   at.sum = no_waves();
-  at.unseen = 0.0;
-  add_short_waves(at, arcs_from_anchor(offset, axes), footprint);
-  for (int i = 0; i < int(sea.z); ++i) add_long_wave(at.sum, at.unseen, at.up, at.frame, i, footprint);
-  float left = left_by_ground(depth, sea.w);
-  at.unseen *= left * left;
-  vec2 slope = vec2(dot(ground_slope, at.frame.east), dot(ground_slope, at.frame.north));
-  at.sum = held_by_ground(at.sum, depth, slope, sea.w);
+  at.seen = 0.0;
   return at;
+}
+
+// Adds a wave as it is in a list, if samples a footprint apart can show it. Returns whether they can; else they can't show
+// those that follow.
+bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footprint) {
+  float shown = part * wave_weight(motion.z, footprint);
+  if (shown <= 0.0) return false;
+  ShortWave wave;
+  wave.direction = motion.xy;
+  wave.wavenumber = motion.z;
+  wave.phase = motion.w;
+  wave.amplitude = shape.x;
+  wave.pinch = shape.y;
+  wave.bend = shape.z;
+  add_short_wave(at.sum, at.arcs, wave, shown);
+  float slope = shown * shape.x * motion.z;
+  at.seen += slope * slope;
+  return true;
+}
+
+// Adds a region's short waves [from, to), as far as samples can show them.
+void add_short_waves(inout SeaAt at, int axis, float part, int from, int to, float footprint) {
+  int begin = waves_begin[axis], here = waves_begin[axis + 1] - begin, i = from;
+  for (int end = min(here, to); i < end; ++i) {
+    if (!add_listed(at, wave_list[2 * (begin + i)], wave_list[2 * (begin + i) + 1], part, footprint)) return;
+  }
+  begin = waves_go_on[axis] - here;
+  for (int end = min(waves_go_on[axis + 1] - begin, to); i < end; ++i) {
+    if (!add_listed(at, more_waves[2 * (begin + i)], more_waves[2 * (begin + i) + 1], part, footprint)) return;
+  }
+}
+
+// Variance of the slopes of a region's short waves, from one on.
+float variance_from(int axis, int from) {
+  int begin = waves_begin[axis], here = waves_begin[axis + 1] - begin, next = waves_go_on[axis];
+  if (from < here) return wave_list[2 * (begin + from) + 1].w;
+  return from - here < waves_go_on[axis + 1] - next ? more_waves[2 * (next + from - here) + 1].w : waves_left[axis];
 }

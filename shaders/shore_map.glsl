@@ -1,5 +1,5 @@
 // What lies under the water by the map of the ground.
-#include "water_surface.glsl"
+#include "water_bottom.glsl"
 
 float depth_below(vec3 up) { return -textureLod(ground_map, up, levels.z).w; }
 

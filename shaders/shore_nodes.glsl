@@ -1,5 +1,5 @@
 // What lies under the water by the nodes of the ground, which the water is drawn with.
-#include "water_surface.glsl"
+#include "water_bottom.glsl"
 #include "node_surface.glsl"
 
 GroundAt ground_here;
@@ -11,6 +11,12 @@ float depth_below(vec3 up) {
   vec3 place = water_place();
   ground_here = node_ground(place, vec3(0.0));
   return -ground_here.height;
+}
+
+float wave_part_over_ground(float depth) { return left_by_ground(depth, sea.w); }
+WaveSum waves_over_ground(WaveSum sum, Frame f, float depth) {
+  vec2 slope = vec2(dot(ground_here.gradient, f.east), dot(ground_here.gradient, f.north));
+  return held_by_ground(sum, depth, slope, sea.w);
 }
 
 // Nodes know nothing of their neighbours: right below is near enough.

@@ -1,19 +1,50 @@
-// A sea of waves over a ground of nodes; the normal is exact at every pixel, whatever the mesh carries.
-#include "shore_nodes.glsl"
+// A sea of waves over a ground of nodes, shore_nodes.glsl or deep_nodes.glsl standing before it; the normal is exact at every
+// pixel but for what straight lines between vertices miss of the waves that those carry.
 #include "node_waves.glsl"
+#include "water_surface.glsl"
 
 in vec3 still_from_eye;
+in vec4 carried_slope;
+in vec4 carried_stretch;
 
 vec3 water_place() { return still_from_eye; }
 
+Breaking sea_breaking() {
+  Breaking b;
+  b.fold = wave_breaking.x;
+  b.softness = wave_breaking.y;
+  b.choppiness = wave_breaking.z;
+  return b;
+}
+
+WaveSum carried_waves() {
+  WaveSum sum;
+  sum.height = carried_slope.x;
+  sum.slope = carried_slope.yz;
+  sum.stretch_nn = carried_slope.w;
+  sum.shift = carried_stretch.xy;
+  sum.stretch_ee = carried_stretch.z;
+  sum.stretch_en = carried_stretch.w;
+  sum.stretch_ne = carried_stretch.w;
+  return sum;
+}
+
 void main() {
   float depth = depth_below(vec3(0.0));
-  float footprint = pixel_footprint(normalize(eye_position() + still_from_eye), surface_from_eye, 0.2);
-  SeaAt at = sea_waves(still_from_eye, footprint, depth, ground_here.gradient);
-  Breaking breaking;
-  breaking.fold = wave_breaking.x;
-  breaking.softness = wave_breaking.y;
-  breaking.choppiness = wave_breaking.z;
-  Water water = open_water(at.up, depth, at.sum, at.frame, at.unseen, breaking, sea.w, water_look());
+  SeaAt at = still_sea(still_from_eye);
+  float footprint = pixel_footprint(at.up, surface_from_eye, 0.2);
+  vec3 parts = parts_of_regions(at.up);
+  at.sum = carried_waves();
+  float unseen = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (parts[axis] <= 0.0) continue;
+    unseen += parts[axis] * parts[axis] * variance_from(axis, first_of_pixel);
+    add_short_waves(at, axis, parts[axis], first_of_pixel, all_short_waves, footprint);
+  }
+  unseen = max(unseen - 0.5 * at.seen, 0.0);
+  for (int i = 0; i < int(sea.z); ++i) add_long_wave(at.sum, unseen, at.up, at.frame, i, footprint);
+  float left = wave_part_over_ground(depth);
+  at.sum = waves_over_ground(at.sum, at.frame, depth);
+  Water water = open_water(at.up, depth, at.sum, at.frame, left * left * unseen, sea_breaking(), sea.w, water_look());
   emit_water(water, at.up, at.sum.height);
 }

@@ -154,14 +154,19 @@ float dive_of(vec3 refracted, vec3 up) {
   return max(-dot(refracted, up), 0.25);
 }
 
+// Light of deep water itself. shade: part of the sunlight left by the clouds.
+vec3 light_of_depths(LightAt at, float shade, WaterLook look, SceneLight scene) {
+  float lit = wrap_diffuse(dot(at.up, scene.sun), 0.15) * shade;
+  return look.color * (at.sun * lit + skylight(at, at.up, scene)) * 0.6;
+}
+
 // Light from the bottom and from the water itself, along the refracted ray. albedo, normal: of the bottom; depth: of the
 // bottom; way: of the ray through the water; shade: part of the sunlight left by the clouds.
 vec3 light_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
   float sun_height = dot(at.up, scene.sun);
   vec3 left = transmitted(look.extinction, way);
   vec3 lit = ground_light(albedo, normal, at, shade, scene) * transmitted(look.extinction, depth / max(sun_height, 0.3));
-  vec3 body = look.color * (at.sun * (wrap_diffuse(sun_height, 0.15) * shade) + skylight(at, at.up, scene)) * 0.6;
-  return mix(body, lit, left);
+  return mix(light_of_depths(at, shade, look, scene), lit, left);
 }
 
 // Light that the surface sends to the eye, before the air. ray: unit, from the eye; below: what comes from under it;

@@ -79,7 +79,8 @@ void Program::finish() {
   bind_block(id(), "FrameBlock", block_frame);
   bind_block(id(), "WaveBlock", block_waves);
   bind_block(id(), "LayerBlock", block_layers);
-  bind_block(id(), "WaveAnchorBlock", block_wave_anchor);
+  bind_block(id(), "NearWaveBlock", block_near_waves);
+  bind_block(id(), "MoreWaveBlock", block_more_waves);
   glUseProgram(id());
   set("ground_map", unit_ground);
   set("clouds_map", unit_clouds);
@@ -92,7 +93,6 @@ void Program::finish() {
   set("node_coarser_shape_slopes", unit_nodes + 5);
   set("node_means", unit_nodes + 6);
   set("height_map", unit_heights);
-  set("wave_table", unit_waves);
   finished_ = true;
 }
 

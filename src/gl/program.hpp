@@ -45,9 +45,15 @@ enum Unit : int {
   unit_clouds = 1,
   unit_image = 2,
   unit_nodes = 3,  // seven of them
-  unit_heights = 10,
-  unit_waves = 11
+  unit_heights = 10
 };
-enum Block : GLuint { block_scene = 0, block_frame = 1, block_waves = 2, block_layers = 3, block_wave_anchor = 4 };
+enum Block : GLuint {
+  block_scene = 0,
+  block_frame = 1,
+  block_waves = 2,
+  block_layers = 3,
+  block_near_waves = 4,
+  block_more_waves = 5
+};
 
 }  // namespace terrella::gl

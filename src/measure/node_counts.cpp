@@ -25,8 +25,8 @@ NodeCounts node_counts(const NodePicture& picture, NodeLayer layer) {
   NodeCounts counts;
   for (const DrawnNode& drawn : picture.drawn()) {
     if (!picture.shows(layer, drawn)) continue;
-    const ListCount bare = count_of(picture.triangles_of(drawn, NodePicture::Skirt::without));
-    const ListCount whole = count_of(picture.triangles_of(drawn, NodePicture::Skirt::with));
+    const ListCount bare = count_of(picture.triangles_of(drawn, NodePicture::Skirt::without, layer));
+    const ListCount whole = count_of(picture.triangles_of(drawn, NodePicture::Skirt::with, layer));
     ++counts.nodes;
     counts.vertices += bare.vertices;
     counts.triangles += bare.triangles;

@@ -28,6 +28,7 @@ NodePicture::NodePicture(const Scene& scene, const View& view)
       patch_(grid_->patch(needs_.ground_cells)),
       ranges_(ranges_of(*grid_, needs_)),
       sight_(sight_of_nodes(scene, needs_, pose_, view)),
+      details_(details_of(scene, *grid_, patch_.cells)),
       cache_(node_room(vertices_of_patch(patch_.sides, patch_.cells))) {
   for (const Skirt skirt : {Skirt::without, Skirt::with}) {
     for (unsigned list = 0; list < patch_.lists(); ++list) {
@@ -76,8 +77,7 @@ std::vector<DrawnNode> NodePicture::hidden() const {
 
 bool NodePicture::shows(NodeLayer layer, const DrawnNode& drawn) const {
   const NodeCache::Entry& entry = cache_.at(drawn.slot);
-  const double spacing = grid_->spacing(entry.node.level, patch_.cells);
-  return terrella::shows(layer, entry.frame, spacing, sight_);
+  return terrella::shows(layer, entry.frame, details_.at(static_cast<std::size_t>(entry.node.level)), sight_);
 }
 
 // As in shaders/node_vertex.glsl.
@@ -126,8 +126,9 @@ std::vector<ToldGround> NodePicture::told_by(const DrawnNode& drawn) const {
   return all;
 }
 
-const std::vector<std::uint16_t>& NodePicture::triangles_of(const DrawnNode& drawn, Skirt skirt) const {
-  return triangles_.at(static_cast<std::size_t>(skirt)).at(list_of(patch_, drawn));
+const std::vector<std::uint16_t>& NodePicture::triangles_of(const DrawnNode& drawn, Skirt skirt,
+                                                            NodeLayer layer) const {
+  return triangles_.at(static_cast<std::size_t>(skirt)).at(list_of(patch_, drawn, layer));
 }
 
 }  // namespace terrella

@@ -44,7 +44,8 @@ class NodePicture {
   [[nodiscard]] std::vector<ToldGround> told_by(const DrawnNode& drawn) const;
   // Three vertices a triangle.
   enum class Skirt { without, with };
-  [[nodiscard]] const std::vector<std::uint16_t>& triangles_of(const DrawnNode& drawn, Skirt skirt) const;
+  [[nodiscard]] const std::vector<std::uint16_t>& triangles_of(const DrawnNode& drawn, Skirt skirt,
+                                                              NodeLayer layer = NodeLayer::ground) const;
 
   [[nodiscard]] int made() const { return made_; }               // nodes, also those that are not drawn
   [[nodiscard]] double making_ms() const { return making_ms_; }  // of all of them, from nothing
@@ -65,6 +66,7 @@ class NodePicture {
   NodePatch patch_;
   NodeRanges ranges_;
   NodeSight sight_;
+  NodeDetails details_;
   NodeEye eye_;
   NodeCache cache_;
   NodeChoice choice_;

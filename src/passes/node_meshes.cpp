@@ -1,8 +1,10 @@
 #include "passes/node_meshes.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "base/milliseconds.hpp"
 #include "planet/octaves.hpp"
@@ -66,6 +68,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   grid_ = std::move(grid);
   if (other_nodes || terrain_ != exact_terrain_of(frame.scene)) start_anew(frame);
   ranges_ = ranges_of(*grid_, frame.needs);
+  sea_ranges_ = sea_ranges_of(*grid_, frame.needs);
   for (const GridNode& root : grid_->roots()) {
     if (cache_.find(root) < 0) make(frame.scene, root);
   }
@@ -76,7 +79,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   const double time = making == Making::in_time ? time_for(frame.effort) : 0.0;
   // What is only ahead serves pictures that follow.
   const bool looks_ahead = frame.effort != Effort::complete;
-  const auto wants_more = [&] { return !is_full_ && (choice_.lacks || (looks_ahead && !choice_.missing.empty())); };
+  const auto wants_more = [&] { return !is_full_ && (lacks() || (looks_ahead && !choice_.missing.empty())); };
   // A whole level of detail may be missing at each turn.
   for (int turn = 0; turn <= 2 * deepest_level && wants_more() && milliseconds_since(start) < time; ++turn) {
     make_missing(frame, time - milliseconds_since(start));
@@ -86,14 +89,22 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
 }
 
 void NodeMeshes::choose() {
+  sea_choice_.drawn.clear();
+  sea_choice_.lacks = false;
+  if (sight_.sea > 0.0) {
+    cache_.begin_frame();
+    choose_nodes(*grid_, sight_, eye_, sea_ranges_, cache_, sea_choice_);
+  }
   cache_.begin_frame();
   choose_nodes(*grid_, sight_, eye_, ranges_, cache_, choice_);
 }
 
 void NodeMeshes::make_missing(const Frame& frame, double time) {
   const auto start = std::chrono::steady_clock::now();
-  for (const MissingNode& missing : choice_.missing) {
-    if (milliseconds_since(start) >= time || !make(frame.scene, missing.node)) return;
+  // What the sea lacks but for that the ground does as well.
+  const auto& missing = choice_.lacks || !sea_choice_.lacks ? choice_.missing : sea_choice_.missing;
+  for (const MissingNode& node : missing) {
+    if (milliseconds_since(start) >= time || !make(frame.scene, node.node)) return;
   }
 }
 
@@ -120,6 +131,7 @@ void NodeMeshes::pack(const Frame& frame) {
   const double sea_level = water_level(frame.scene) / frame.scene.planet.radius;
   instances_.clear();
   const int beyond_map = first_layer(frame.scene);
+  const NodeDetails details = details_of(frame.scene, *grid_, patch_.cells);
   const auto add = [&](const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
     const glm::dvec3& middle = entry.frame.outline.middle;
@@ -137,31 +149,42 @@ void NodeMeshes::pack(const Frame& frame) {
   };
   const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
-    const double spacing = grid_->spacing(entry.node.level, patch_.cells);
-    return shows(layer, entry.frame, spacing, sight_);
+    return shows(layer, entry.frame, details.at(static_cast<std::size_t>(entry.node.level)), sight_);
   };
-  for (const NodeLayer layer : {NodeLayer::ground, NodeLayer::sea}) {
-    for (unsigned list = 0; list < patch_.lists(); ++list) {
-      Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
-      run.first = instances_.size() / vec4s_a_node;
-      for (const DrawnNode& drawn : choice_.drawn) {
-        if (list_of(patch_, drawn) == list && has(layer, drawn)) add(drawn);
-      }
-      run.count = instances_.size() / vec4s_a_node - run.first;
+  for (const NodeLayer layer : {NodeLayer::ground, NodeLayer::sea, NodeLayer::deep_sea}) {
+    auto& runs = runs_.at(static_cast<std::size_t>(layer));
+    runs.clear();
+    order_.clear();
+    for (const DrawnNode& drawn : drawn_as(layer)) {
+      if (!has(layer, drawn)) continue;
+      const int level = layer == NodeLayer::ground ? 0 : cache_.at(drawn.slot).node.level;
+      order_.push_back({list_of(patch_, drawn, layer), level, drawn});
+    }
+    // Nearest first, as they were, but for that.
+    std::stable_sort(order_.begin(), order_.end(), [](const InOrder& a, const InOrder& b) {
+      return std::tie(a.list, a.level) < std::tie(b.list, b.level);
+    });
+    for (const InOrder& next : order_) {
+      if (runs.empty() || runs.back().list != next.list || runs.back().level != next.level)
+        runs.push_back({next.list, instances_.size() / vec4s_a_node, 0, next.level});
+      add(next.drawn);
+      ++runs.back().count;
     }
   }
   meshes_->set(instances_);
 }
 
-void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const {
+void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer layer,
+                      const OfLevel& of_level) const {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
   if (heights_) heights_->bind(gl::unit_heights);
   program.set("node_vertices", static_cast<int>(patch_.vertices.size()));
-  program.set("node_morph", static_cast<float>(ranges_.morph_begin()), static_cast<float>(ranges_.morph_end()),
+  const NodeRanges& ranges = layer == NodeLayer::ground ? ranges_ : sea_ranges_;
+  program.set("node_morph", static_cast<float>(ranges.morph_begin()), static_cast<float>(ranges.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
-  for (std::size_t list = 0; list < patch_.lists(); ++list) {
-    const Run& run = runs_.at(static_cast<std::size_t>(layer)).at(list);
-    meshes_->draw(lists_.at(list).first, lists_.at(list).count, run.first, run.count);
+  for (const Run& run : runs_.at(static_cast<std::size_t>(layer))) {
+    if (of_level) of_level(grid_->spacing(run.level, patch_.cells));
+    meshes_->draw(lists_.at(run.list).first, lists_.at(run.list).count, run.first, run.count);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,14 +40,20 @@ class NodeMeshes {
   // the same.
   void update(const Frame& frame, std::shared_ptr<const NodeGrid> grid, Making making = Making::in_time);
 
-  // program: in use, its vertices by shaders/node_vertex.glsl.
-  void draw(const Frame& frame, const gl::Program& program, NodeLayer layer) const;
+  // program: in use, its vertices by shaders/node_vertex.glsl. of_level: tells it, of sea, how far apart (rad) vertices of
+  // the nodes are that are drawn next.
+  using OfLevel = std::function<void(double spacing)>;
+  void draw(const Frame& frame, const gl::Program& program, NodeLayer layer, const OfLevel& of_level = {}) const;
 
   // Whether nothing is missing that there is room for.
-  [[nodiscard]] bool settled() const { return !choice_.lacks || is_full_; }
+  [[nodiscard]] bool settled() const { return !lacks() || is_full_; }
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
+  [[nodiscard]] bool lacks() const { return choice_.lacks || sea_choice_.lacks; }
+  [[nodiscard]] const std::vector<DrawnNode>& drawn_as(NodeLayer layer) const {
+    return layer == NodeLayer::ground ? choice_.drawn : sea_choice_.drawn;
+  }
   // Forgets what was made for another grid or another relief.
   void start_anew(const Frame& frame);
   void choose();
@@ -56,27 +63,39 @@ class NodeMeshes {
   bool make(const Scene& scene, const GridNode& node);
   void pack(const Frame& frame);
 
-  // The nodes of one list of triangles among the instances.
+  // A list of triangles among all.
+  struct List {
+    std::size_t first = 0, count = 0;  // indices
+  };
+  // Nodes of one list of triangles among the instances, and of sea of one level.
   struct Run {
-    std::size_t first = 0, count = 0;
+    std::size_t list = 0, first = 0, count = 0;
+    int level = 0;
   };
 
   NodeCache cache_{1};  // until there is room for more
-  NodeChoice choice_;
+  NodeChoice choice_, sea_choice_;
   NodeEye eye_;
   NodeSight sight_;
   NodeVertices vertices_;
   std::shared_ptr<const NodeGrid> grid_;
   NodePatch patch_;
   int rows_ = 0;  // of the textures
-  NodeRanges ranges_;
+  NodeRanges ranges_, sea_ranges_;
   std::optional<f64::Terrain> terrain_;
   std::optional<gl::HeightTexture> heights_;  // of its map
   std::array<std::unique_ptr<gl::Image>, node_formats.size()> textures_;
-  std::array<Run, most_node_lists> lists_;  // of the triangles (node_triangles)
+  std::array<List, most_node_lists> lists_;  // of the triangles (node_triangles)
   std::unique_ptr<gl::Instances> meshes_;
-  std::array<std::array<Run, most_node_lists>, 2> runs_;  // of the layers
+  std::array<std::vector<Run>, 3> runs_;  // of the layers
   std::vector<glm::vec4> instances_;
+  // Room to sort a layer's nodes.
+  struct InOrder {
+    unsigned list;
+    int level;
+    DrawnNode drawn;
+  };
+  std::vector<InOrder> order_;
   bool is_full_ = false;
   std::int64_t noise_evaluations_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "passes/node_meshes.hpp"
@@ -26,6 +27,16 @@ WaveBlock wave_block(const Sea& sea) {
   return block;
 }
 
+// The first short wave that vertices of nodes don't carry. spacing: of vertices, rad; of deep nodes every second is drawn.
+// Straight lines between sixteen of them in a wave miss it by less than a fiftieth.
+int first_not_carried(const Sea& sea, double spacing) {
+  constexpr double vertices_a_wave = 16.0, drawn_apart = 2.0;
+  const double last = 2.0 * std::numbers::pi / (vertices_a_wave * drawn_apart * spacing);
+  const auto first = std::find_if(sea.short_waves.begin(), sea.short_waves.end(),
+                                  [&](const RegionalWave& wave) { return wave.wavenumber > last; });
+  return static_cast<int>(first - sea.short_waves.begin());
+}
+
 }  // namespace
 
 SeaPass::SeaPass(Water technique, SphereMeshes& spheres) : technique_(technique), spheres_(spheres) {}
@@ -35,13 +46,16 @@ void SeaPass::want(const Needs& needs) {
   if (!program_ || over_nodes != over_nodes_) {
     over_nodes_ = over_nodes;
     const bool waves = technique_ == Water::waves;
+    deep_program_.reset();
+    if (over_nodes) deep_program_.emplace(waves ? "water/waves_nodes" : "water/nodes");
     program_.emplace(over_nodes ? (waves ? "water/waves_nodes" : "water/nodes") : waves ? "water/waves" : "water/calm");
   }
   if (over_nodes) {
-    const std::string name = technique_ == Water::waves ? "water/waves_nodes"
-                             : needs.ripple_layers > 0  ? "water/rippled_nodes"
-                                                        : "water/calm_nodes";
-    return program_->want(name + (needs.ground_mapped ? "_mapped" : ""));
+    const std::string name = technique_ == Water::waves ? "water/waves"
+                             : needs.ripple_layers > 0  ? "water/rippled"
+                                                        : "water/calm";
+    deep_program_->want(name + "_deep_nodes");
+    return program_->want(name + (needs.ground_mapped ? "_nodes_mapped" : "_nodes"));
   }
   const bool near = refines_ground(needs);
   if (needs.water == Water::waves) return program_->want(near ? "water/waves_near" : "water/waves");
@@ -52,12 +66,22 @@ void SeaPass::want(const Needs& needs) {
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
   if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
   if (!has_real_size) return;  // where nothing is over nodes, but only this tells a linker
+  draw_over(frame, *ground->nodes(frame.ground_shown));
+}
+
+void SeaPass::draw_over(const Frame& frame, const NodeMeshes& nodes) {
   if (technique_ == Water::waves) {
     set_waves(frame);
     short_waves_.set(frame);
   }
-  const gl::Program& program = program_->use(frame.effort == Effort::complete);
-  ground->nodes(frame.ground_shown)->draw(frame, program, NodeLayer::sea);
+  const bool patient = frame.effort == Effort::complete;
+  const auto draw = [&](const gl::Program& program, NodeLayer layer) {
+    nodes.draw(frame, program, layer, [&](double spacing) {
+      if (technique_ == Water::waves) program.set("first_of_pixel", first_not_carried(frame.sea, spacing));
+    });
+  };
+  draw(program_->use(patient), NodeLayer::sea);
+  draw(deep_program_->use(patient), NodeLayer::deep_sea);
 }
 
 void SeaPass::set_waves(const Frame& frame) {

@@ -7,7 +7,7 @@
 #include "gl/program_choice.hpp"
 #include "gl/uniform_buffer.hpp"
 #include "passes/ground.hpp"
-#include "passes/wave_table.hpp"
+#include "passes/wave_lists.hpp"
 
 namespace terrella {
 
@@ -19,21 +19,23 @@ class SeaPass {
   // Starts to compile the program that the needs call for.
   void want(const Needs& needs);
   // True once drawing will not wait for it.
-  bool ready() { return program_->ready(); }
+  bool ready() { return program_->ready() && (!deep_program_ || deep_program_->ready()); }
 
   // ground: or nothing. Where it stands out of the water whole, no water is drawn; of one of nodes the sea takes those.
   void draw(const Frame& frame, const GroundPass* ground);
 
  private:
   void set_waves(const Frame& frame);
+  void draw_over(const Frame& frame, const NodeMeshes& nodes);
   void draw_sphere(const Frame& frame, std::span<const RadiusRange> ground);
 
   Water technique_;
   SphereMeshes& spheres_;
   std::optional<gl::ProgramChoice> program_;
+  std::optional<gl::ProgramChoice> deep_program_;  // over nodes whose ground is not seen
   bool over_nodes_ = false;
   gl::UniformBuffer waves_;
-  WaveTable short_waves_;
+  WaveLists short_waves_;
 };
 
 }  // namespace terrella

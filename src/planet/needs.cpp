@@ -224,6 +224,14 @@ void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decision
                        : "a ripple is smaller than quality.finest_layer: it only widens the glitter");
 }
 
+// Depth (planet radii) from which less than a thousandth of the bottom's light comes up, and no wave feels it.
+double hiding_depth(const Scene& scene, const Sea& sea) {
+  constexpr double thousandth = 6.9;
+  const glm::dvec3 extinction = water_look_of(scene).extinction;
+  const double clearest = std::min({extinction.x, extinction.y, extinction.z});
+  return std::max(thousandth / std::max(clearest, 1e-12), whole_wave_depth(sea));
+}
+
 void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pose, Decisions& decide) {
   const auto& water = scene.water;
   if (!has_water(scene)) {
@@ -262,6 +270,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   // as an error.
   if (has_nodes(needs.ground)) {
     needs.water_lift = std::min(scene.quality.pixel_error * pose.pixel_angle, 0.05);
+    needs.water_hides = hiding_depth(scene, sea);
     needs.sea_swell = needs.water == Water::waves ? sea.highest : 0.0;
     needs.water_most_lift = has_clouds(scene) ? of_gap * std::max(cloud_radius(scene) - water_radius(scene), 0.0) : 1.0;
   } else {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "planet/spheres.hpp"
+#include "planet/terrain.hpp"
 
 namespace terrella {
 
@@ -12,6 +13,12 @@ NodeRanges ranges_of(const NodeGrid& grid, const Needs& needs) {
   NodeRanges ranges = {std::max(needs.ground_split, least_split(grid.reach())), 0, needs.ground_cells, grid.reach()};
   while (ranges.deepest < deepest_level && grid.spacing(ranges.deepest, ranges.cells) > needs.ground_finest)
     ++ranges.deepest;
+  return ranges;
+}
+
+NodeRanges sea_ranges_of(const NodeGrid& grid, const Needs& needs) {
+  NodeRanges ranges = ranges_of(grid, needs);
+  ranges.split = least_split(grid.reach());
   return ranges;
 }
 
@@ -24,19 +31,47 @@ NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pos
   if (sea > 0.0) {
     sight.sea_lift = needs.water_lift;
     sight.sea_swell = needs.sea_swell;
+    sight.sea_hides = needs.water_hides;
     sight.most_sea_lift = needs.water_most_lift;
   }
   return sight;
 }
 
-bool shows(NodeLayer layer, const NodeFrame& node, double spacing, const NodeSight& sight) {
+NodeDetails details_of(const Scene& scene, const NodeGrid& grid, int cells) {
+  NodeDetails details;
+  for (int level = 0; level <= deepest_level; ++level) {
+    const double spacing = grid.spacing(level, cells);
+    details.at(static_cast<std::size_t>(level)) = {spacing, unseen_heights(scene, spacing, 0.0)};
+  }
+  return details;
+}
+
+namespace {
+
+// Nothing of its ground is seen, unless a hill stands there that is one of ten thousand.
+bool is_deep(const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight) {
+  constexpr double deviations = 4.0;
+  const double highest = 1.0 + std::min(node.shown.highest + deviations * detail.unseen, node.heights.highest);
+  return !node.may_freeze && highest < sight.sea - sight.sea_hides;
+}
+
+}  // namespace
+
+bool shows(NodeLayer layer, const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight) {
   const bool water = sight.sea > 0.0;
   if (layer == NodeLayer::ground) {
-    const double lowest_sea = sight.sea * (1.0 - spacing * spacing / 8.0);
-    return !water || glm::length(sight.eye) <= sight.sea + sight.sea_swell || 1.0 + node.heights.highest >= lowest_sea;
+    const double lowest_sea = sight.sea * (1.0 - detail.spacing * detail.spacing / 8.0);
+    if (!water || glm::length(sight.eye) <= sight.sea + sight.sea_swell) return true;
+    return 1.0 + node.heights.highest >= lowest_sea && !is_deep(node, detail, sight);
   }
+  if (!water) return false;
+  if (layer == NodeLayer::deep_sea) return is_deep(node, detail, sight);
   // By what is drawn: sea has the same vertices, only on its sphere.
-  return water && 1.0 + node.shown.lowest <= sight.top_of_sea(node.outline);
+  return !is_deep(node, detail, sight) && 1.0 + node.shown.lowest <= sight.top_of_sea(node.outline);
+}
+
+unsigned list_of(const NodePatch& patch, const DrawnNode& drawn, NodeLayer layer) {
+  return layer == NodeLayer::deep_sea ? patch.list_of_every_second() : list_of(patch, drawn);
 }
 
 }  // namespace terrella

@@ -40,6 +40,7 @@ struct NodeFrame {
   HeightRange heights;  // of all ground over the node, whatever the level of detail
   HeightRange shown;    // of its vertices, as its level has them and as the level above has
   NodesAround around;   // as its grid has them
+  bool may_freeze = false;  // whether ice may lie on it
 };
 
 // Heights are those that vertices of the node's level can carry; the coarser ones those of the level above, at every

@@ -18,6 +18,7 @@ struct NodeSight {
   double sea = 0.0;                 // radius up to which a sea lies over lower ground; 0: there is none
   // By how much it is raised: a part of its distance, and never more than that (Needs).
   double sea_lift = 0.0, most_sea_lift = 0.0;
+  double sea_hides = 0.0;  // depth of the ground from which nothing of it is seen
   double sea_swell = 0.0;  // by how much waves raise it, or move it aside, at the most
 
   // Radius of the highest sea over a node.

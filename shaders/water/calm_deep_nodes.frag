@@ -1,0 +1,3 @@
+// A calm sea whose ripples are too small to be seen, over deep nodes.
+#include "smooth_water.glsl"
+#include "deep_nodes.glsl"

@@ -1,0 +1,3 @@
+// A calm sea with ripples, over deep nodes.
+#include "rippled_water.glsl"
+#include "deep_nodes.glsl"

@@ -1,0 +1,3 @@
+// A sea of waves over deep nodes.
+#include "deep_nodes.glsl"
+#include "wavy_nodes.glsl"

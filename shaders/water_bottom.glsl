@@ -1,0 +1,27 @@
+// Water through which its bottom is seen.
+#include "water_surface.glsl"
+
+// The ground in a direction (unit) near the place, as far as it is known without its finest layers.
+GroundAt ground_below(vec3 up);
+
+// As mean_normal takes it.
+float layer_rise(GroundAt ground);
+
+// Adds to land what is missing there, and the grain of its colour; nothing under water. up: unit.
+void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth);
+
+vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
+  float deep = max(w.depth, 0.0);
+  vec3 refracted = refracted_ray(ray, w.normal, water_look());
+  float dive = dive_of(refracted, at.up);
+  // The bottom is where the ray meets it: one step from the depth below the surface comes close.
+  vec3 bottom = normalize(at.up + refracted * (deep / dive));
+  GroundAt found = ground_below(bottom);
+  found.height = w.depth > 0.0 ? min(found.height, 0.0) : found.height;
+  float depth = max(0.5 * (deep - found.height), 0.0);
+  float grain = 0.0;
+  refine_land(found, grain, bottom, w.depth);
+  vec3 normal = mean_normal(bottom, 1.0 + max(found.height, 0.0), found, layer_rise(found), -refracted);
+  vec3 albedo = grained(ground_albedo(bottom, found, normal, scene_bands()), grain);
+  return light_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
+}
