@@ -3,15 +3,17 @@
 #include "lib/short_waves.glsl"
 #include "wave_block.glsl"
 
-// Two vec4s a wave; the longest of each region first (src/passes/wave_lists.cpp). No block is longer than any driver takes.
+// Two vec4s a wave; those of a region one after another, the longest first (src/passes/wave_lists.cpp). No block is longer
+// than any driver takes.
 layout(std140) uniform NearWaveBlock {
   vec4 wave_anchor;    // xyz: below the eye, unit; w: height of the eye over the sea
   vec4 wave_east;      // xyz: axes there
   vec4 wave_north;
   vec4 wave_breaking;  // x: Jacobian below which water is foam; y: softness; z: choppiness
-  vec4 waves_left;     // xyz: of the region around each axis, variance of the slopes of waves in no list
-  ivec4 waves_begin;   // xyz: where those of the region around each axis begin in the first list; w: in which they end
+  ivec4 wave_axes;     // of the regions that reach here, axes around which they lie; w: how many they are, 0..3
+  ivec4 waves_begin;   // where the waves of each region begin in the first list, and the last end
   ivec4 waves_go_on;   // the same of the second list
+  vec4 waves_left;     // of each region, variance of the slopes of waves in no list
   vec4 wave_list[1000];
 };
 layout(std140) uniform MoreWaveBlock {
@@ -64,21 +66,24 @@ bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footp
   return true;
 }
 
+// How strong a region's waves are at a place.
+float part_of_region(int region, vec3 parts) { return parts[wave_axes[region]]; }
+
 // Adds a region's short waves [from, to), as far as samples can show them.
-void add_short_waves(inout SeaAt at, int axis, float part, int from, int to, float footprint) {
-  int begin = waves_begin[axis], here = waves_begin[axis + 1] - begin, i = from;
+void add_short_waves(inout SeaAt at, int region, float part, int from, int to, float footprint) {
+  int begin = waves_begin[region], here = waves_begin[region + 1] - begin, i = from;
   for (int end = min(here, to); i < end; ++i) {
     if (!add_listed(at, wave_list[2 * (begin + i)], wave_list[2 * (begin + i) + 1], part, footprint)) return;
   }
-  begin = waves_go_on[axis] - here;
-  for (int end = min(waves_go_on[axis + 1] - begin, to); i < end; ++i) {
+  begin = waves_go_on[region] - here;
+  for (int end = min(waves_go_on[region + 1] - begin, to); i < end; ++i) {
     if (!add_listed(at, more_waves[2 * (begin + i)], more_waves[2 * (begin + i) + 1], part, footprint)) return;
   }
 }
 
 // Variance of the slopes of a region's short waves, from one on.
-float variance_from(int axis, int from) {
-  int begin = waves_begin[axis], here = waves_begin[axis + 1] - begin, next = waves_go_on[axis];
+float variance_from(int region, int from) {
+  int begin = waves_begin[region], here = waves_begin[region + 1] - begin, next = waves_go_on[region];
   if (from < here) return wave_list[2 * (begin + from) + 1].w;
-  return from - here < waves_go_on[axis + 1] - next ? more_waves[2 * (next + from - here) + 1].w : waves_left[axis];
+  return from - here < waves_go_on[region + 1] - next ? more_waves[2 * (next + from - here) + 1].w : waves_left[region];
 }

@@ -32,14 +32,16 @@ WaveSum carried_waves() {
 void main() {
   float depth = depth_below(vec3(0.0));
   SeaAt at = still_sea(still_from_eye);
-  float footprint = pixel_footprint(at.up, surface_from_eye, 0.2);
   vec3 parts = parts_of_regions(at.up);
   at.sum = carried_waves();
+  // By how the long waves face the eye.
+  vec3 facing = normalize(at.up - at.sum.slope.x * at.frame.east - at.sum.slope.y * at.frame.north);
+  float footprint = pixel_footprint(facing, surface_from_eye, 0.1);
   float unseen = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (parts[axis] <= 0.0) continue;
-    unseen += parts[axis] * parts[axis] * variance_from(axis, first_of_pixel);
-    add_short_waves(at, axis, parts[axis], first_of_pixel, all_short_waves, footprint);
+  for (int k = 0; k < wave_axes.w; ++k) {
+    float part = part_of_region(k, parts);
+    unseen += part * part * variance_from(k, first_of_pixel);
+    add_short_waves(at, k, part, first_of_pixel, all_short_waves, footprint);
   }
   unseen = max(unseen - 0.5 * at.seen, 0.0);
   for (int i = 0; i < int(sea.z); ++i) add_long_wave(at.sum, unseen, at.up, at.frame, i, footprint);

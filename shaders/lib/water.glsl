@@ -24,6 +24,7 @@ struct Water {
   float depth;      // of the still water; at most 0 where there is land
   float foam;       // 0..1
   float roughness;  // 0.02..1
+  float unseen;     // variance of slopes of waves that are not shown
 };
 
 // Small waves of flow noise on a calm sea, summed from the coarsest layer on (Sandahl 2022, equations 12 and 13).
@@ -101,6 +102,7 @@ Water calm_water(vec3 up, float depth, Ripples r, float crust, WaterLook look) {
   w.normal = surface_normal(up, 1.0, r.gradient);
   w.depth = depth;
   w.roughness = clamp(sqrt(sqrt(own * own + r.rough)), 0.02, 1.0);
+  w.unseen = 0.0;
   w.foam = max(look.foam * (1.0 - smoothstep(0.2, 1.0, depth / max(line, 1.0e-9) + 0.5 * r.wash)), crust);
   return w;
 }
@@ -116,6 +118,7 @@ Water wavy_water(vec3 up, float depth, WaveSum sum, Frame frame, float amplitude
   w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
   w.depth = depth;
   w.roughness = look.roughness;
+  w.unseen = 0.0;
   w.foam = look.foam * clamp(crest * smoothstep(0.2, 1.6, rise) + 0.8 * shore, 0.0, 1.0);
   return w;
 }
@@ -140,6 +143,7 @@ Water open_water(vec3 up, float depth, WaveSum sum, Frame frame, float unseen, B
   w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
   w.depth = depth;
   w.roughness = clamp(sqrt(sqrt(own * own + unseen)), 0.02, 1.0);
+  w.unseen = unseen;
   w.foam = look.foam * clamp(broken + 0.8 * shore, 0.0, 1.0);
   return w;
 }
@@ -183,7 +187,7 @@ vec3 water_light(Water w, LightAt at, vec3 ray, vec3 below, vec3 mirrored, float
     between *= inversesqrt(max(dot(between, between), 1.0e-12));  // no direction where one looks into the sun
     float gleam = glitter(dot(w.normal, between), cosine, dot(w.normal, scene.sun), w.roughness);
     float r_sun = schlick(max(dot(scene.sun, between), 0.0), r0);
-    light = mix(light, mirrored, wet * schlick(cosine, r0)) + sunlight * (wet * min(gleam * r_sun, 40.0));
+    light = mix(light, mirrored, wet * rough_schlick(cosine, r0, w.unseen)) + sunlight * (wet * min(gleam * r_sun, 40.0));
   } else {
     light += sunlight * (wet * phong(dot(reflect(ray, w.normal), scene.sun), look.shininess) * 0.08);
   }

@@ -1,32 +1,3 @@
-#include "node_vertex.glsl"
-#include "node_waves.glsl"
+#include "wavy_vertex.glsl"
 
-out vec3 still_from_eye;
-out vec3 surface_from_eye;
-// What the vertices carry of the waves: pixels go on with the others. x: height; y, z: slope; w: stretch_nn of WaveSum
-out vec4 carried_slope;
-out vec4 carried_stretch;  // x, y: shift; z, w: stretch_ee, stretch_en, and as much is stretch_ne
-
-void main() {
-  NodeVertex v = node_vertex();
-  still_from_eye = node_sea.xyz + sea.x * v.flat_place;
-  SeaAt at = still_sea(still_from_eye);
-  // Of deep nodes every second vertex is drawn. As far apart as those are where this one is, whatever the node's level.
-  float footprint = 2.0 * node_around.w * (1.0 + node_held.y);
-  vec3 parts = parts_of_regions(at.up);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (parts[axis] > 0.0) add_short_waves(at, axis, parts[axis], 0, first_of_pixel, footprint);
-  }
-  carried_slope = vec4(at.sum.height, at.sum.slope, at.sum.stretch_nn);
-  carried_stretch = vec4(at.sum.shift, at.sum.stretch_ee, at.sum.stretch_en);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (parts[axis] > 0.0) add_short_waves(at, axis, parts[axis], first_of_pixel, all_short_waves, footprint);
-  }
-  float unseen = 0.0;
-  for (int i = 0; i < int(sea.z); ++i) add_long_wave(at.sum, unseen, at.up, at.frame, i, footprint);
-  WaveSum held = held_in_frame(at.sum, at.frame, -node_height.x, node_slope.xyz);
-  surface_from_eye = still_from_eye + wave_offset(at.up, at.frame, held);
-  float away = length(surface_from_eye);
-  surface_from_eye += away * v.skirt + min(levels.y * away, levels.w) * v.up;
-  gl_Position = clip_at(surface_from_eye);
-}
+WaveSum waves_at_vertex(WaveSum sum, Frame f) { return held_in_frame(sum, f, -node_height.x, node_slope.xyz); }

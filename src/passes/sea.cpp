@@ -28,9 +28,9 @@ WaveBlock wave_block(const Sea& sea) {
 }
 
 // The first short wave that vertices of nodes don't carry. spacing: of vertices, rad; of deep nodes every second is drawn.
-// Straight lines between sixteen of them in a wave miss it by less than a fiftieth.
+// Straight lines between twelve of them in a wave miss it by less than a thirtieth.
 int first_not_carried(const Sea& sea, double spacing) {
-  constexpr double vertices_a_wave = 16.0, drawn_apart = 2.0;
+  constexpr double vertices_a_wave = 12.0, drawn_apart = 2.0;
   const double last = 2.0 * std::numbers::pi / (vertices_a_wave * drawn_apart * spacing);
   const auto first = std::find_if(sea.short_waves.begin(), sea.short_waves.end(),
                                   [&](const RegionalWave& wave) { return wave.wavenumber > last; });
@@ -47,7 +47,7 @@ void SeaPass::want(const Needs& needs) {
     over_nodes_ = over_nodes;
     const bool waves = technique_ == Water::waves;
     deep_program_.reset();
-    if (over_nodes) deep_program_.emplace(waves ? "water/waves_nodes" : "water/nodes");
+    if (over_nodes) deep_program_.emplace(waves ? "water/waves_deep_nodes" : "water/nodes");
     program_.emplace(over_nodes ? (waves ? "water/waves_nodes" : "water/nodes") : waves ? "water/waves" : "water/calm");
   }
   if (over_nodes) {

@@ -22,8 +22,8 @@ using List = std::array<glm::vec4, 2 * room>;
 struct NearWaveBlock {
   glm::vec4 anchor, east, north;
   glm::vec4 breaking;
+  glm::ivec4 axes, begin, go_on;
   glm::vec4 left;
-  glm::ivec4 begin, go_on;
   List list;
 };
 
@@ -43,19 +43,27 @@ Texels texels_of(const std::vector<f64::ShortWave>& waves) {
   return texels;
 }
 
-// Fills a list with as many waves of each axis as it has an equal part of room for, from where those of the list before
-// ended, and notes where they begin and end. taken: waves of each axis that are in a list.
-void fill(List& list, glm::ivec4& begin, const std::array<Texels, axes>& all, int regions_here,
-          std::array<int, axes>& taken) {
+// The waves of a region around an axis.
+struct Region {
+  int axis;
+  Texels texels;
+  int taken = 0;  // waves that are in a list
+
+  [[nodiscard]] int left() const { return static_cast<int>(texels.size()) / 2 - taken; }
+};
+
+// Fills a list with as many waves of each region as it has an equal part of room for, from where those of the list before
+// ended, and notes where they begin and end.
+void fill(List& list, glm::ivec4& begin, std::vector<Region>& all) {
   int end = 0;
-  for (int axis = 0; axis < axes; ++axis) {
-    const auto place = static_cast<std::size_t>(axis);
-    const int count = static_cast<int>(all.at(place).size()) / 2;
-    const int here = std::min(count - taken.at(place), room / std::max(regions_here, 1));
-    std::copy_n(all.at(place).begin() + 2 * taken.at(place), 2 * here, list.begin() + 2 * end);
-    begin[axis] = end;
+  for (std::size_t k = 0; k < axes; ++k) {
+    begin[static_cast<int>(k)] = end;
+    if (k >= all.size()) continue;
+    Region& region = all[k];
+    const int here = std::min(region.left(), room / static_cast<int>(all.size()));
+    std::copy_n(region.texels.begin() + 2 * region.taken, 2 * here, list.begin() + 2 * end);
     end += here;
-    taken.at(place) += here;
+    region.taken += here;
   }
   begin[axes] = end;
 }
@@ -72,19 +80,17 @@ void WaveLists::set(const Frame& frame) {
   block.north = glm::vec4(glm::dvec4(near.axes.north, 0.0));
   const f64::Breaking& breaking = frame.sea.breaking;
   block.breaking = glm::vec4(breaking.fold, breaking.softness, breaking.choppiness, 0.0);
-  std::array<Texels, axes> texels;
-  int regions_here = 0;
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    texels.at(axis) = texels_of(near.waves.at(axis));
-    if (!texels.at(axis).empty()) ++regions_here;
-  }
-  std::array<int, axes> taken{};
-  fill(block.list, block.begin, texels, regions_here, taken);
-  fill(more, block.go_on, texels, regions_here, taken);
+  std::vector<Region> here;
   for (int axis = 0; axis < axes; ++axis) {
-    const auto place = static_cast<std::size_t>(axis);
-    const auto next = static_cast<std::size_t>(2 * taken.at(place) + 1);
-    if (next < texels.at(place).size()) block.left[axis] = texels.at(place)[next].w;
+    const auto& waves = near.waves.at(static_cast<std::size_t>(axis));
+    if (!waves.empty()) here.push_back({axis, texels_of(waves)});
+  }
+  fill(block.list, block.begin, here);
+  fill(more, block.go_on, here);
+  block.axes[axes] = static_cast<int>(here.size());
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    block.axes[static_cast<int>(k)] = here[k].axis;
+    if (here[k].left() > 0) block.left[static_cast<int>(k)] = here[k].texels[2 * static_cast<std::size_t>(here[k].taken) + 1].w;
   }
   first_.set(gl::block_near_waves, std::as_bytes(std::span(&block, 1)));
   second_.set(gl::block_more_waves, std::as_bytes(std::span(&more, 1)));

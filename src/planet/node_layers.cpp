@@ -61,8 +61,9 @@ bool shows(NodeLayer layer, const NodeFrame& node, const NodeDetail& detail, con
   const bool water = sight.sea > 0.0;
   if (layer == NodeLayer::ground) {
     const double lowest_sea = sight.sea * (1.0 - detail.spacing * detail.spacing / 8.0);
-    if (!water || glm::length(sight.eye) <= sight.sea + sight.sea_swell) return true;
-    return 1.0 + node.heights.highest >= lowest_sea && !is_deep(node, detail, sight);
+    if (!water) return true;
+    const bool may_dive = glm::length(sight.eye) <= sight.sea + sight.sea_swell;
+    return (may_dive || 1.0 + node.heights.highest >= lowest_sea) && !is_deep(node, detail, sight);
   }
   if (!water) return false;
   if (layer == NodeLayer::deep_sea) return is_deep(node, detail, sight);
