@@ -9,5 +9,6 @@ vec3 water_place() { return surface_from_eye; }
 // crust: 0..1, how far a crust covers the water.
 void emit_calm_water(Ripples r, float crust, vec3 up) {
   r.rough += ripple.z;
-  emit_water(calm_water(up, depth_below(up), r, crust, water_look()), up, 0.0);
+  Water water = calm_water(up, depth_below(up), r, crust, water_look());
+  emit_water(with_unseen_waves(water, ripple.z, -normalize(surface_from_eye)), up, 0.0);
 }

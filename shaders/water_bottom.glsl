@@ -12,7 +12,7 @@ void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth);
 
 vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
   float deep = max(w.depth, 0.0);
-  vec3 refracted = refracted_ray(ray, w.normal, water_look());
+  vec3 refracted = refracted_ray(ray, w.facing, water_look());
   float dive = dive_of(refracted, at.up);
   // The bottom is where the ray meets it: one step from the depth below the surface comes close.
   vec3 bottom = normalize(at.up + refracted * (deep / dive));

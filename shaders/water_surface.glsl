@@ -36,7 +36,7 @@ void emit_water(Water w, vec3 up, float height) {
   vec3 ray = normalize(surface_from_eye);
   float shade = shade_of_clouds(up * sea.x);
   vec3 below = light_from_below(w, at, ray, shade, scene);
-  vec3 mirrored = sky_along(at, reflect(ray, w.normal), scene);
+  vec3 mirrored = sky_along(at, reflect(ray, w.facing), scene);
   vec3 light = water_light(w, at, ray, below, mirrored, shade, water_look(), scene);
   emit_surface(through_air(light, at, surface_from_eye, scene), surface_from_eye, w.normal, sea.x - 1.0 + height);
 }

@@ -16,12 +16,11 @@ float schlick(float cosine, float r0) {
   return r0 + (1.0 - r0) * m2 * m2 * (m + 5.0 * lost);
 }
 
-// The same of a surface whose slopes differ, on average over what the eye sees of it: flat glances meet waves that face the
-// eye, as if it looked down by as much more as they slope. Within 0.03 of the fit of Bruneton, Neyret and Holzschuch (2010),
-// without its powers. variance: of slopes.
-float rough_schlick(float cosine, float r0, float variance) {
-  float c = clamp(cosine, 0.0, 1.0);
-  return schlick(sqrt(c * c + variance), r0);
+// The same on average over a surface whose cosine has that mean and varies around it: what the second derivative adds.
+// variance: of the cosine.
+float varied_schlick(float cosine, float r0, float variance) {
+  float m = 1.0 - clamp(cosine, 0.0, 1.0);
+  return min(schlick(cosine, r0) + 10.0 * (1.0 - r0) * variance * m * m * m, 1.0);
 }
 
 // Diffuse light that reaches round the edge (Green 2004; Sandahl 19). wrap: 0..1; 0 is Lambert's law.

@@ -21,10 +21,11 @@ struct WaterLook {
 // Its surface at a place.
 struct Water {
   vec3 normal;      // unit
+  vec3 facing;      // unit, the mean normal of what the eye sees of it
   float depth;      // of the still water; at most 0 where there is land
   float foam;       // 0..1
   float roughness;  // 0.02..1
-  float unseen;     // variance of slopes of waves that are not shown
+  float variance;   // of the cosine at which the eye sees it
 };
 
 // Small waves of flow noise on a calm sea, summed from the coarsest layer on (Sandahl 2022, equations 12 and 13).
@@ -100,9 +101,10 @@ Water calm_water(vec3 up, float depth, Ripples r, float crust, WaterLook look) {
   float line = look.clarity * 0.30;
   Water w;
   w.normal = surface_normal(up, 1.0, r.gradient);
+  w.facing = w.normal;
   w.depth = depth;
   w.roughness = clamp(sqrt(sqrt(own * own + r.rough)), 0.02, 1.0);
-  w.unseen = 0.0;
+  w.variance = 0.0;
   w.foam = max(look.foam * (1.0 - smoothstep(0.2, 1.0, depth / max(line, 1.0e-9) + 0.5 * r.wash)), crust);
   return w;
 }
@@ -116,10 +118,20 @@ Water wavy_water(vec3 up, float depth, WaveSum sum, Frame frame, float amplitude
   float shore = 1.0 - smoothstep(0.05, 0.35, depth / whole_depth - 0.05 * rise);
   Water w;
   w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
+  w.facing = w.normal;
   w.depth = depth;
   w.roughness = look.roughness;
-  w.unseen = 0.0;
+  w.variance = 0.0;
   w.foam = look.foam * clamp(crest * smoothstep(0.2, 1.6, rise) + 0.8 * shore, 0.0, 1.0);
+  return w;
+}
+
+// Water some of whose waves are not shown: of their slopes those that face the eye are seen more, the flatter it looks the
+// more so, and those differ less. unseen: variance of the slopes; to_eye: unit.
+Water with_unseen_waves(Water w, float unseen, vec3 to_eye) {
+  float along_each = 0.5 * unseen, climb = max(dot(w.normal, to_eye), 0.0);
+  w.facing = normalize(w.normal - mean_seen_slope(along_each, w.normal, to_eye));
+  w.variance = along_each * climb * climb / (climb * climb + 2.55 * along_each + 1.0e-12);
   return w;
 }
 
@@ -130,9 +142,9 @@ struct Breaking {
   float choppiness;  // Q: what a slope's deviation is to be multiplied by for that of the Jacobian
 };
 
-// A sea whose waves are shown in part. up: unit, of the still water; unseen: variance of the slopes of those that are not
+// A sea whose waves are shown in part. up: unit, of the still water; to_eye: unit; unseen: variance of the slopes of those that are not
 // shown, which roughens the water and folds it by chance; whole_depth: at which waves are whole.
-Water open_water(vec3 up, float depth, WaveSum sum, Frame frame, float unseen, Breaking breaking, float whole_depth, WaterLook look) {
+Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, float unseen, Breaking breaking, float whole_depth, WaterLook look) {
   vec3 n = wave_normal(sum);
   float doubt = sqrt(breaking.softness * breaking.softness + breaking.choppiness * breaking.choppiness * unseen);
   float broken = part_below((breaking.fold - n.z) / doubt);
@@ -143,9 +155,8 @@ Water open_water(vec3 up, float depth, WaveSum sum, Frame frame, float unseen, B
   w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
   w.depth = depth;
   w.roughness = clamp(sqrt(sqrt(own * own + unseen)), 0.02, 1.0);
-  w.unseen = unseen;
   w.foam = look.foam * clamp(broken + 0.8 * shore, 0.0, 1.0);
-  return w;
+  return with_unseen_waves(w, unseen, to_eye);
 }
 
 // A ray as it goes on in the water. ray, normal: unit, from the air.
@@ -181,13 +192,13 @@ vec3 water_light(Water w, LightAt at, vec3 ray, vec3 below, vec3 mirrored, float
   vec3 sunlight = at.sun * shade;
   vec3 light = below;
   if (look.shading == 0) {
-    float cosine = max(-dot(ray, w.normal), 0.0);
+    float cosine = max(-dot(ray, w.facing), 0.0);
     float r0 = reflectance_at_normal(1.0, look.refraction_index);
     vec3 between = scene.sun - ray;
     between *= inversesqrt(max(dot(between, between), 1.0e-12));  // no direction where one looks into the sun
-    float gleam = glitter(dot(w.normal, between), cosine, dot(w.normal, scene.sun), w.roughness);
+    float gleam = glitter(dot(w.normal, between), max(-dot(ray, w.normal), 0.0), dot(w.normal, scene.sun), w.roughness);
     float r_sun = schlick(max(dot(scene.sun, between), 0.0), r0);
-    light = mix(light, mirrored, wet * rough_schlick(cosine, r0, w.unseen)) + sunlight * (wet * min(gleam * r_sun, 40.0));
+    light = mix(light, mirrored, wet * varied_schlick(cosine, r0, w.variance)) + sunlight * (wet * min(gleam * r_sun, 40.0));
   } else {
     light += sunlight * (wet * phong(dot(reflect(ray, w.normal), scene.sun), look.shininess) * 0.08);
   }

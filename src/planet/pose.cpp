@@ -60,7 +60,7 @@ glm::dvec3 direction_of(double latitude, double longitude) {
 }
 
 double least_clearance(const Scene& scene) {
-  constexpr double of_meshes = 1e-4, of_nodes = 1e-6, metres = 1.0;
+  constexpr double of_meshes = 1e-4, of_nodes = 1e-6, metres = 0.2;
   if (!has_nodes(ground_technique(scene))) return of_meshes;
   return std::min(of_nodes, metres / scene.planet.radius);
 }
