@@ -109,6 +109,11 @@ Water calm_water(vec3 up, float depth, Ripples r, float crust, WaterLook look) {
   return w;
 }
 
+// A wave's normal in planet axes; where the surface has folded over, it looks up none the less. n: unit, in the frame's axes.
+vec3 normal_in_frame(vec3 n, Frame frame, vec3 up) {
+  return normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
+}
+
 // A sea of waves at a place. up: unit, of the still water; amplitude: of the sea, > 0; whole_depth: at which waves are whole.
 Water wavy_water(vec3 up, float depth, WaveSum sum, Frame frame, float amplitude, float whole_depth, WaterLook look) {
   vec3 n = wave_normal(sum);
@@ -117,7 +122,7 @@ Water wavy_water(vec3 up, float depth, WaveSum sum, Frame frame, float amplitude
   float rise = sum.height / amplitude;
   float shore = 1.0 - smoothstep(0.05, 0.35, depth / whole_depth - 0.05 * rise);
   Water w;
-  w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
+  w.normal = normal_in_frame(n, frame, up);
   w.facing = w.normal;
   w.depth = depth;
   w.roughness = look.roughness;
@@ -152,7 +157,7 @@ Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, fl
   float own = look.roughness * look.roughness;
   n = normalize(n);
   Water w;
-  w.normal = normalize(n.x * frame.east + n.y * frame.north + max(n.z, 0.05) * up);
+  w.normal = normal_in_frame(n, frame, up);
   w.depth = depth;
   w.roughness = clamp(sqrt(sqrt(own * own + unseen)), 0.02, 1.0);
   w.foam = look.foam * clamp(broken + 0.8 * shore, 0.0, 1.0);

@@ -52,7 +52,8 @@ class Sum {
   Cost& cost_;
 };
 
-// As many as are kept could be drawn, each as ground and as sea: by one call for each list of triangles.
+// As many as are kept could be drawn, each as ground and as sea: by one call for each list of triangles, and of deep
+// sea with waves for each level of detail.
 void add_nodes(Sum& sum, const Needs& needs) {
   sum.program("ground/nodes");
   const NodePatch patch = patch_of(needs.ground, needs.ground_cells);
@@ -62,7 +63,8 @@ void add_nodes(Sum& sum, const Needs& needs) {
   // Beside a grid around the eye there is room for the next.
   const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
   const int layers = needs.water != Water::none ? 2 : 1;
-  sum.draw(layers * room * triangles, static_cast<int>(lists) * layers);
+  const int of_deep_sea = needs.water == Water::none ? 0 : needs.water == Water::waves ? deepest_level + 1 : 1;
+  sum.draw(layers * room * triangles, static_cast<int>(lists) * layers + of_deep_sea);
   for (int n = 0; n < kept; ++n) {
     // Two nodes a row, where there are so many; a last one may be alone.
     for (const gl::Format format : node_formats) sum.texels(vertices * (room + 1), gl::bytes_of(format));
@@ -84,8 +86,12 @@ void add_ground(Sum& sum, const Needs& needs) {
 
 void add_water(Sum& sum, const Needs& needs) {
   if (has_nodes(needs.ground)) {
-    sum.program("water/calm_nodes");
-    sum.program("water/rippled_nodes");
+    for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
+      sum.program(text_of(name, "_nodes"));
+      sum.program(text_of(name, "_deep_nodes"));
+    }
+    constexpr std::int64_t wave_list = 16'384;
+    if (needs.water == Water::waves) sum.bytes(2 * wave_list);
     return;
   }
   for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {

@@ -45,7 +45,7 @@ class NodePicture {
   // Three vertices a triangle.
   enum class Skirt { without, with };
   [[nodiscard]] const std::vector<std::uint16_t>& triangles_of(const DrawnNode& drawn, Skirt skirt,
-                                                              NodeLayer layer = NodeLayer::ground) const;
+                                                               NodeLayer layer = NodeLayer::ground) const;
 
   [[nodiscard]] int made() const { return made_; }               // nodes, also those that are not drawn
   [[nodiscard]] double making_ms() const { return making_ms_; }  // of all of them, from nothing

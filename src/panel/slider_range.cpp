@@ -59,7 +59,8 @@ double SliderRange::stepped(double value, double steps) const {
 
 SliderRange slider_range(const Parameter& parameter, const Scene& scene) {
   SliderRange range{parameter.min, parameter.max, 0.0, parameter.type == Type::Int};
-  const bool speed = parameter.unit == "m/s";  // at most a radius a second
+  // At most a radius a second, but for winds, which are what they are on any planet.
+  const bool speed = parameter.unit == "m/s" && parameter.scale == Scale::Logarithmic;
   if (parameter.is_length()) range.high = std::min(parameter.max, parameter.slider_max * scene.planet.radius);
   if (speed) range.high = std::min(parameter.max, scene.planet.radius);
   if (parameter.scale == Scale::Logarithmic) {

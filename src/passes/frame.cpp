@@ -92,9 +92,8 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.cloud_moments = vector(maps.cloud_moments);
   block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest,
                         static_cast<double>(std::min(sea.waves.size(), most_long_waves)), whole_wave_depth(sea));
-  block.ripple =
-      glm::vec4(needs.ripple_layers > 0 ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
-                needs.water == Water::calm ? sea.slope_variance : 0.0, sea.amplitude);
+  block.ripple = glm::vec4(needs.ripple_layers > 0 ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
+                           needs.water == Water::calm ? sea.slope_variance : 0.0, sea.amplitude);
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);
   block.water_extinction = vector(water_look_of(scene).extinction);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);

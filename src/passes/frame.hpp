@@ -46,9 +46,6 @@ struct FrameBlock {
   glm::ivec4 channel;
 };
 
-// That shaders/wave_block.glsl has room for.
-inline constexpr std::size_t most_long_waves = 100;
-
 struct Frame {
   const Scene& scene;
   const View& view;

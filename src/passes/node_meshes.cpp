@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "base/milliseconds.hpp"
 #include "planet/octaves.hpp"
@@ -157,25 +156,25 @@ void NodeMeshes::pack(const Frame& frame) {
     order_.clear();
     for (const DrawnNode& drawn : drawn_as(layer)) {
       if (!has(layer, drawn)) continue;
-      const int level = layer == NodeLayer::ground ? 0 : cache_.at(drawn.slot).node.level;
-      order_.push_back({list_of(patch_, drawn, layer), level, drawn});
+      order_.push_back({list_of(patch_, drawn, layer), cache_.at(drawn.slot).node.level, drawn});
     }
+    const bool by_level = layer == NodeLayer::deep_sea && frame.needs.water == Water::waves;
     // Nearest first, as they were, but for that.
-    std::stable_sort(order_.begin(), order_.end(), [](const InOrder& a, const InOrder& b) {
-      return std::tie(a.list, a.level) < std::tie(b.list, b.level);
+    std::stable_sort(order_.begin(), order_.end(), [&](const InOrder& a, const InOrder& b) {
+      return a.list < b.list || (a.list == b.list && by_level && a.level < b.level);
     });
     for (const InOrder& next : order_) {
-      if (runs.empty() || runs.back().list != next.list || runs.back().level != next.level)
+      if (runs.empty() || runs.back().list != next.list || (by_level && runs.back().coarsest != next.level))
         runs.push_back({next.list, instances_.size() / vec4s_a_node, 0, next.level});
       add(next.drawn);
       ++runs.back().count;
+      runs.back().coarsest = std::min(runs.back().coarsest, next.level);
     }
   }
   meshes_->set(instances_);
 }
 
-void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer layer,
-                      const OfLevel& of_level) const {
+void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer layer, const OfLevel& of_level) const {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
   if (heights_) heights_->bind(gl::unit_heights);
   program.set("node_vertices", static_cast<int>(patch_.vertices.size()));
@@ -183,7 +182,7 @@ void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer 
   program.set("node_morph", static_cast<float>(ranges.morph_begin()), static_cast<float>(ranges.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
   for (const Run& run : runs_.at(static_cast<std::size_t>(layer))) {
-    if (of_level) of_level(grid_->spacing(run.level, patch_.cells));
+    if (of_level) of_level(grid_->spacing(run.coarsest, patch_.cells));
     meshes_->draw(lists_.at(run.list).first, lists_.at(run.list).count, run.first, run.count);
   }
 }

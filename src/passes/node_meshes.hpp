@@ -40,8 +40,8 @@ class NodeMeshes {
   // the same.
   void update(const Frame& frame, std::shared_ptr<const NodeGrid> grid, Making making = Making::in_time);
 
-  // program: in use, its vertices by shaders/node_vertex.glsl. of_level: tells it, of sea, how far apart (rad) vertices of
-  // the nodes are that are drawn next.
+  // program: in use, its vertices by shaders/node_vertex.glsl. of_level: tells it how far apart (rad) vertices are of
+  // the coarsest of the nodes that are drawn next.
   using OfLevel = std::function<void(double spacing)>;
   void draw(const Frame& frame, const gl::Program& program, NodeLayer layer, const OfLevel& of_level = {}) const;
 
@@ -67,10 +67,10 @@ class NodeMeshes {
   struct List {
     std::size_t first = 0, count = 0;  // indices
   };
-  // Nodes of one list of triangles among the instances, and of sea of one level.
+  // Nodes of one list of triangles among the instances; of deep sea with waves of one level, too.
   struct Run {
     std::size_t list = 0, first = 0, count = 0;
-    int level = 0;
+    int coarsest = 0;  // level
   };
 
   NodeCache cache_{1};  // until there is room for more

@@ -27,8 +27,8 @@ WaveBlock wave_block(const Sea& sea) {
   return block;
 }
 
-// The first short wave that vertices of nodes don't carry. spacing: of vertices, rad; of deep nodes every second is drawn.
-// Straight lines between twelve of them in a wave miss it by less than a thirtieth.
+// The first short wave that vertices of nodes don't carry. spacing: of vertices, rad; of deep nodes every second is
+// drawn. Straight lines between twelve of them in a wave miss it by less than a thirtieth.
 int first_not_carried(const Sea& sea, double spacing) {
   constexpr double vertices_a_wave = 12.0, drawn_apart = 2.0;
   const double last = 2.0 * std::numbers::pi / (vertices_a_wave * drawn_apart * spacing);

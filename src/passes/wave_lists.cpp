@@ -52,8 +52,8 @@ struct Region {
   [[nodiscard]] int left() const { return static_cast<int>(texels.size()) / 2 - taken; }
 };
 
-// Fills a list with as many waves of each region as it has an equal part of room for, from where those of the list before
-// ended, and notes where they begin and end.
+// Fills a list with as many waves of each region as it has an equal part of room for, from where those of the list
+// before ended, and notes where they begin and end.
 void fill(List& list, glm::ivec4& begin, std::vector<Region>& all) {
   int end = 0;
   for (std::size_t k = 0; k < axes; ++k) {
@@ -90,7 +90,8 @@ void WaveLists::set(const Frame& frame) {
   block.axes[axes] = static_cast<int>(here.size());
   for (std::size_t k = 0; k < here.size(); ++k) {
     block.axes[static_cast<int>(k)] = here[k].axis;
-    if (here[k].left() > 0) block.left[static_cast<int>(k)] = here[k].texels[2 * static_cast<std::size_t>(here[k].taken) + 1].w;
+    if (here[k].left() > 0)
+      block.left[static_cast<int>(k)] = here[k].texels[2 * static_cast<std::size_t>(here[k].taken) + 1].w;
   }
   first_.set(gl::block_near_waves, std::as_bytes(std::span(&block, 1)));
   second_.set(gl::block_more_waves, std::as_bytes(std::span(&more, 1)));

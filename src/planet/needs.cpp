@@ -249,7 +249,8 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
     decide.add("water", name_of(needs.water), "no waves are asked for");
   } else if (nodes && longest_wave(sea) < 2.0 * footprint_below(scene, pose) && water.model != water_waves) {
     needs.water = Water::calm;
-    decide.add("water", name_of(needs.water), "the longest wave is smaller than quality.finest_layer: it roughens the water");
+    decide.add("water", name_of(needs.water),
+               "the longest wave is smaller than quality.finest_layer: it roughens the water");
   } else if (!nodes && sea.highest < scene.quality.wave_height * pixel && water.model != water_waves) {
     needs.water = Water::calm;
     decide.add("water", name_of(needs.water), "the highest wave is lower than quality.wave_height");

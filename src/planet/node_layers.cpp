@@ -18,7 +18,7 @@ NodeRanges ranges_of(const NodeGrid& grid, const Needs& needs) {
 
 NodeRanges sea_ranges_of(const NodeGrid& grid, const Needs& needs) {
   NodeRanges ranges = ranges_of(grid, needs);
-  ranges.split = least_split(grid.reach());
+  if (needs.water == Water::waves) ranges.split = least_split(grid.reach());
   return ranges;
 }
 

@@ -15,7 +15,8 @@ enum class NodeLayer { ground, sea, deep_sea };
 
 // needs: of a ground of nodes, here and below.
 NodeRanges ranges_of(const NodeGrid& grid, const Needs& needs);
-// Of its sea, which is smooth: no finer than nodes can be that pass from level to level.
+// Of its sea. With waves, each pixel of which costs the more, the smaller triangles are, no finer than nodes can be
+// that pass from level to level.
 NodeRanges sea_ranges_of(const NodeGrid& grid, const Needs& needs);
 
 // What all of the picture can see of ground and sea.
@@ -29,8 +30,8 @@ struct NodeDetail {
 using NodeDetails = std::array<NodeDetail, deepest_level + 1>;
 NodeDetails details_of(const Scene& scene, const NodeGrid& grid, int cells);
 
-// Whether a node has anything to show of a layer: ground that rises from the sea, or sea over its ground. detail: of its
-// level. sight: as of sight_of_nodes.
+// Whether a node has anything to show of a layer: ground that rises from the sea, or sea over its ground. detail: of
+// its level. sight: as of sight_of_nodes.
 bool shows(NodeLayer layer, const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight);
 
 // The list of triangles that a node's layer is drawn with. Deep sea has every second vertex: it has no ground to carry.

@@ -97,8 +97,8 @@ NodeFrame make_node(const NodeGrid& grid, const NodePatch& patch, const GridNode
   // From any place the next vertex is at most half the diagonal of a square away, or of what it is stretched to.
   const double spacing = grid.spacing(node.level, patch.cells);
   frame.may_freeze = may_freeze(terrain.ice, middle, frame.outline.half_width);
-  frame.heights = heights_around(terrain, computed, spacing, std::max(0.7072, 0.5 * grid.reach()) * spacing,
-                                 frame.may_freeze);
+  frame.heights =
+      heights_around(terrain, computed, spacing, std::max(0.7072, 0.5 * grid.reach()) * spacing, frame.may_freeze);
   const glm::dvec3 lift = frame.base * middle;
   for (auto* list : {&vertices.place, &vertices.coarser, &vertices.slope, &vertices.coarser_slope,
                      &vertices.shape_slope, &vertices.coarser_shape_slope, &vertices.means})

@@ -36,10 +36,10 @@ inline constexpr double ice_flag = 8.0;
 // A node's place in the world.
 struct NodeFrame {
   NodeOutline outline;
-  double base = 0.0;    // a height of its ground; the node's centre is the middle times 1 + base
-  HeightRange heights;  // of all ground over the node, whatever the level of detail
-  HeightRange shown;    // of its vertices, as its level has them and as the level above has
-  NodesAround around;   // as its grid has them
+  double base = 0.0;        // a height of its ground; the node's centre is the middle times 1 + base
+  HeightRange heights;      // of all ground over the node, whatever the level of detail
+  HeightRange shown;        // of its vertices, as its level has them and as the level above has
+  NodesAround around;       // as its grid has them
   bool may_freeze = false;  // whether ice may lie on it
 };
 

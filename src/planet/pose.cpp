@@ -79,8 +79,9 @@ double ground_below(const Scene& scene, const glm::dvec3& direction) {
 
 namespace {
 
-// No crest of long waves is higher at a place, whatever the time. Shallow water holds waves back; but a crest leans aside
-// by as much as it is high at the most, and comes from where the water is deeper by that times the slope of a shore.
+// No crest of long waves is higher at a place, whatever the time. Shallow water holds waves back; but a crest leans
+// aside by as much as it is high at the most, and comes from where the water is deeper by that times the slope of a
+// shore.
 double highest_sea(const Scene& scene, double ground) {
   const Sea sea = make_sea(scene, 0.0);
   constexpr double steep_shore = 0.25;
@@ -220,9 +221,7 @@ double sea_top(const Scene& scene) {
   return has_water(scene) ? water_radius(scene) + make_sea(scene, 0.0).highest : 1.0;
 }
 
-double relief_top(const Scene& scene) {
-  return std::max({ground_top(scene), ice_top(scene), sea_top(scene)});
-}
+double relief_top(const Scene& scene) { return std::max({ground_top(scene), ice_top(scene), sea_top(scene)}); }
 
 double top_radius(const Scene& scene) {
   const double top = relief_top(scene);

@@ -16,8 +16,8 @@ struct NearWaves {
   std::array<std::vector<f64::ShortWave>, 3> waves;
 };
 
-// eye: not the planet's centre. Phases are worked out in double precision: of waves of half a metre on a planet as large as
-// the Earth they are known to a hundred thousandth of a turn, after thirty years as well.
+// eye: not the planet's centre. Phases are worked out in double precision: of waves of half a metre on a planet as
+// large as the Earth they are known to a hundred thousandth of a turn, after thirty years as well.
 NearWaves near_waves(const Sea& sea, const glm::dvec3& eye);
 
 // How high the water that lies over the anchor stands over the still sea, planet radii; not held by the ground.

@@ -114,6 +114,14 @@ void judge_clouds(const Scene& scene, const Pose& pose, const Needs& needs, std:
                             ", finer clouds fade away.")});
 }
 
+// That run around the whole planet.
+void judge_number_of_waves(const Scene& scene, const Needs& needs, std::vector<Issue>& issues) {
+  if (needs.water != Water::waves || make_sea(scene, 0.0).waves.size() <= most_long_waves) return;
+  issues.push_back(
+      {"waves.count", text_of("no more than ", most_long_waves,
+                              " waves run around a whole planet; the shorter ones of these are left out.")});
+}
+
 void judge_waves(const Scene& scene, const Pose& pose, const Needs& needs, std::vector<Issue>& issues) {
   if (needs.water != Water::waves || has_nodes(needs.ground)) return;
   const double edge = icosphere_edge(needs.water_level), least = edge / most_cells_on_edge;
@@ -164,6 +172,7 @@ std::vector<Issue> beyond_validity(const Scene& scene, const View& view, const P
   judge_ground(scene, pose, needs, issues);
   judge_map(scene, issues);
   judge_clouds(scene, pose, needs, issues);
+  judge_number_of_waves(scene, needs, issues);
   judge_waves(scene, pose, needs, issues);
   judge_water(scene, view, pose, needs, issues);
   return issues;

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "planet/needs.hpp"
 #include "planet/wind_sea.hpp"
 
 namespace terrella {
@@ -24,8 +25,8 @@ constexpr double most_pinch = 0.95;
 // Of a normal distribution one in a thousand million lies further from its mean.
 constexpr double most_deviations = 6.0;
 
-// Waves with more of them in a radian of arc (times a turn) are short: single precision knows the phases of others from
-// the direction of a place.
+// Waves with more of them in a radian of arc (times a turn) are short, over a ground of nodes: single precision knows
+// the phases of others from the direction of a place, and a miniature is never seen from so near.
 constexpr double longest_short = 5000.0;
 
 // Uniform in 0..1, the same on every machine (the standard's distributions are not).
@@ -97,7 +98,8 @@ std::vector<AskedWave> waves_of_wind(const Scene& scene, std::mt19937& random) {
   return waves;
 }
 
-// Axes in the middle of a region: where it lies, and where north is there, which at the poles goes on along longitude 0.
+// Axes in the middle of a region: where it lies, and where north is there, which at the poles goes on along longitude
+// 0.
 glm::dvec3 middle_of(int region) {
   glm::dvec3 middle(0.0);
   middle[region / 2] = region % 2 == 0 ? 1.0 : -1.0;
@@ -143,35 +145,40 @@ Sea make_sea(const Scene& scene, double seconds) {
   sea.amplitude = (wind ? std::sqrt(squares) : from.amplitude) / radius;
   const double scale = sea.amplitude / std::sqrt(squares);
 
+  const bool has_regions = has_nodes(ground_technique(scene));
   Sums all, of_short;
   for (const AskedWave& wave : asked) {
     const double amplitude = scale * wave.amplitude, wavenumber = turn * radius / wave.length;
     all.add(amplitude, wavenumber);
-    if (wavenumber < longest_short) {
+    if (!has_regions || wavenumber < longest_short) {
       sea.waves.push_back({wave.origin, amplitude, wavenumber, phase_of(wave, wave.start, seconds), 0.0});
       continue;
     }
     of_short.add(amplitude, wavenumber);
-    RegionalWave regional = {amplitude, wavenumber, 0.0, glm::radians(from.direction) + std::numbers::pi + wave.heading, {}};
+    RegionalWave regional = {
+        amplitude, wavenumber, 0.0, glm::radians(from.direction) + std::numbers::pi + wave.heading, {}};
     for (double& phase : regional.phases) phase = phase_of(wave, turn * uniform(random), seconds);
     sea.short_waves.push_back(regional);
   }
 
+  // So many waves as a wind raises never meet, so different are their lengths.
   const double unlikely_slope = most_deviations * std::sqrt(0.5 * all.slope_squares);
-  sea.steepness = std::min(from.steepness, most_pinch / std::max(std::min(all.slope, unlikely_slope), 1e-12));
+  const double steepest = wind ? std::min(all.slope, unlikely_slope) : all.slope;
+  sea.steepness = std::min(from.steepness, most_pinch / std::max(steepest, 1e-12));
   sea.held = sea.steepness < from.steepness;
   for (f64::Wave& wave : sea.waves) wave.pinch = sea.steepness * wave.amplitude;
   for (RegionalWave& wave : sea.short_waves) wave.pinch = sea.steepness * wave.amplitude;
   // Where three regions meet, each has its waves there.
-  sea.highest = (all.amplitude - of_short.amplitude) + std::min(std::numbers::sqrt3 * of_short.amplitude,
-                                                                most_deviations * std::sqrt(0.5 * of_short.squares));
+  sea.highest = (all.amplitude - of_short.amplitude) +
+                std::min(std::numbers::sqrt3 * of_short.amplitude, most_deviations * std::sqrt(0.5 * of_short.squares));
   sea.slope_variance = 0.5 * all.slope_squares;
   sea.breaking.choppiness = sea.steepness;
   if (wind) {
     // So that as much is white as that wind whitens: the Jacobian's deviation is about that of the slopes' sum.
+    constexpr double softness = 0.3;
     const double deviation = std::max(sea.steepness * std::sqrt(sea.slope_variance), 1e-6);
-    sea.breaking.fold = 1.0 + deviations_of(whitecaps(from.wind)) * deviation;
-    sea.breaking.softness = 0.3 * deviation;
+    sea.breaking.fold = 1.0 + deviations_of(whitecaps(from.wind)) * deviation * std::hypot(1.0, softness);
+    sea.breaking.softness = softness * deviation;
   }
   return sea;
 }

@@ -14,15 +14,18 @@ inline constexpr int regions = 6;
 
 // A wave that is short beside the planet: each region has it from another origin.
 struct RegionalWave {
-  double amplitude;   // planet radii
-  double wavenumber;  // rad per radian of arc
-  double pinch;       // Q A, planet radii
-  double heading;     // where it runs in the middle of a region, rad, clockwise from north
+  double amplitude;                    // planet radii
+  double wavenumber;                   // rad per radian of arc
+  double pinch;                        // Q A, planet radii
+  double heading;                      // where it runs in the middle of a region, rad, clockwise from north
   std::array<double, regions> phases;  // at its origin in each region, reduced to one turn
 };
 
+// That are drawn: shaders/wave_block.glsl has no room for more.
+inline constexpr std::size_t most_long_waves = 100;
+
 struct Sea {
-  // Those that are long beside the planet run around all of it.
+  // Those that are long beside the planet run around all of it, and so do all over a ground that is no nodes.
   std::vector<f64::Wave> waves;
   std::vector<RegionalWave> short_waves;  // longest first
   double steepness = 0.0;                 // as drawn
@@ -38,11 +41,11 @@ struct Sea {
 
 // The waves at a time (s, any; phases are reduced to one turn in double precision). Lengths in planet radii.
 //
-// Free: lengths fall from the longest to a fifth of it, heights with them, so that the root mean square height is that of
-// one wave of the asked amplitude, however many there are. Speeds follow deep water: as the square root of the length.
-// Wind: as wind_sea.hpp has them, over a fetch that ends at half the planet's girth.
-// The sum of pinch times wavenumber stays below 1 (Michelic 8, as corrected: Q A w summed), where trochoids begin to
-// loop; where waves are so many that they never meet, six standard deviations of that sum do.
+// Free: lengths fall from the longest to a fifth of it, heights with them, so that the root mean square height is that
+// of one wave of the asked amplitude, however many there are. Speeds follow deep water: as the square root of the
+// length. Wind: as wind_sea.hpp has them, over a fetch that ends at half the planet's girth. The sum of pinch times
+// wavenumber stays below 1 (Michelic 8, as corrected: Q A w summed), where trochoids begin to loop; of those of a wind,
+// which are so many that they never meet, six standard deviations of that sum do.
 Sea make_sea(const Scene& scene, double seconds);
 
 // The wave as a region (0..regions - 1) has it.

@@ -47,8 +47,8 @@ Energies energies_between(const WindSpectrum& spectrum, double lowest, double hi
 }  // namespace
 
 WindSpectrum::WindSpectrum(double wind, double fetch) {
-  // Fetches as Hasselmann et al. count them, in units of the wind's own length; from the longest on the peak is that of a
-  // sea that grows no more.
+  // Fetches as Hasselmann et al. count them, in units of the wind's own length; from the longest on the peak is that of
+  // a sea that grows no more.
   constexpr double longest = 1.58e4;
   const double fetches = std::min(gravity * fetch / (wind * wind), longest);
   peak_ = 22.0 * gravity / wind * std::cbrt(1.0 / fetches);
@@ -118,9 +118,8 @@ double deviations_of(double part) {
 
 double angle_of_part(double part) {
   constexpr double quarter = 0.5 * std::numbers::pi;
-  return where_it_is(part, -quarter, quarter, [](double angle) {
-    return 0.5 + (angle + std::sin(angle) * std::cos(angle)) / std::numbers::pi;
-  });
+  return where_it_is(part, -quarter, quarter,
+                     [](double angle) { return 0.5 + (angle + std::sin(angle) * std::cos(angle)) / std::numbers::pi; });
 }
 
 }  // namespace terrella

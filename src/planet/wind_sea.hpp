@@ -35,10 +35,11 @@ struct WindWave {
   double amplitude;  // m
 };
 
-// count waves, the longest first: between the lengths of 0.7 of the peak's frequency and the shortest (m, > 0; held to the
-// peak's length) the spectrum is divided into as many parts, half of them by energy and half by octaves, so that few
-// waves have a swell's height and many the small waves that glitter. Each wave has all the energy of its part: the sum of
-// half the squared amplitudes is the variance of that range. jitter: of each wave, 0..1: where in its part it lies.
+// count waves, the longest first: between the lengths of 0.7 of the peak's frequency and the shortest (m, > 0; held to
+// the peak's length) the spectrum is divided into as many parts, half of them by energy and half by octaves, so that
+// few waves have a swell's height and many the small waves that glitter. Each wave has all the energy of its part: the
+// sum of half the squared amplitudes is the variance of that range. jitter: of each wave, 0..1: where in its part it
+// lies.
 std::vector<WindWave> wind_waves(const WindSpectrum& spectrum, double shortest, const std::vector<double>& jitter);
 
 // Part of the sea that breakers whiten in a wind (m/s): Monahan and O'Muircheartaigh 1980; no more than 0.3.
@@ -48,8 +49,8 @@ double whitecaps(double wind);
 // cumulated density, within 1e-9.
 double deviations_of(double part);
 
-// The angle (rad) below which a part (0..1) of waves runs, of which as many as the squared cosine says run at an angle to
-// the wind: within a quarter turn to each side.
+// The angle (rad) below which a part (0..1) of waves runs, of which as many as the squared cosine says run at an angle
+// to the wind: within a quarter turn to each side.
 double angle_of_part(double part);
 
 }  // namespace terrella

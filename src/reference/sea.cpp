@@ -60,7 +60,8 @@ void Sea::each_wave(const glm::dvec3& direction, double distance, const Function
     const double most = std::min(1.0, parts[axis] + steepest * distance);
     // Regions begin where a direction's size along their axis is nearly its greatest.
     const double size = std::abs(direction[axis]) + 2.0 * distance;
-    if (parts[axis] <= 0.0 && size < 0.95 * std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}))
+    if (parts[axis] <= 0.0 &&
+        size < 0.95 * std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}))
       continue;
     const int region = 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
     for (const f64::Wave& wave : short_waves_.at(static_cast<std::size_t>(region))) function(wave, parts[axis], most);

@@ -71,8 +71,8 @@ class Sea {
   [[nodiscard]] Range left_around(const glm::dvec3& direction, double distance) const;
   [[nodiscard]] double most_of_deep_water(const WaterAt& middle, double chord) const;
 
-  // Asks function(wave, part, most) for each wave that comes within a distance of a direction: how strong it is there, and
-  // at the most around it, 0..1.
+  // Asks function(wave, part, most) for each wave that comes within a distance of a direction: how strong it is there,
+  // and at the most around it, 0..1.
   template <class Function>
   void each_wave(const glm::dvec3& direction, double distance, const Function& function) const;
 

@@ -135,6 +135,34 @@ TEST(SinglePrecision, TerrainHeight) {
   }
 }
 
+// As far away as waves are shown: a phase is known to some u of the turns up to there.
+TEST(SinglePrecision, ShortWaves) {
+  Places places(37U);
+  for (int i = 0; i < tries; ++i) {
+    const double turn = places.between(0.0, 6.28);
+    f32::ShortWave a;
+    a.direction = glm::vec2(std::cos(turn), std::sin(turn));
+    a.wavenumber = rounded(std::pow(10.0, places.between(3.7, 9.5)));
+    a.phase = rounded(places.between(-3.1, 3.1));
+    a.amplitude = 0.05F / a.wavenumber;
+    a.pinch = 0.8F * a.amplitude;
+    a.bend = rounded(places.between(-1.7, 1.7));
+    const double reach = 600.0 / exact(a.wavenumber);
+    const glm::vec2 arcs(places.between(-reach, reach), places.between(-reach, reach));
+    const f64::ShortWave b = {glm::dvec2(a.direction), exact(a.wavenumber), exact(a.phase),
+                              exact(a.amplitude),      exact(a.pinch),      exact(a.bend)};
+    f32::WaveSum sum = f32::no_waves();
+    f64::WaveSum expected = f64::no_waves();
+    f32::add_short_wave(sum, arcs, a, 1.0F);
+    f64::add_short_wave(expected, glm::dvec2(arcs), b, 1.0);
+    const double off = 1e-6 + 16.0 * u * b.wavenumber * glm::length(glm::dvec2(arcs));
+    ASSERT_NEAR(sum.height, expected.height, off * b.amplitude) << i;
+    ASSERT_LT(glm::distance(glm::dvec2(sum.shift), expected.shift), off * b.pinch) << i;
+    ASSERT_LT(glm::distance(glm::dvec2(sum.slope), expected.slope), off * b.amplitude * b.wavenumber) << i;
+    ASSERT_NEAR(sum.stretch_en, expected.stretch_en, off * b.pinch * b.wavenumber) << i;
+  }
+}
+
 TEST(SinglePrecision, MapOfHeights) {
   for (const SharedHeightMap& map : {test::smooth_map(512, 256), test::rough_map(512, 256, 1)}) {
     const HeightTexels texels = {map.get(), map->serial()};

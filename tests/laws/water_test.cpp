@@ -302,7 +302,8 @@ TEST(LightThrough, OfDeepWaterIsItsOwnColorByTheLightThatFallsIn) {
 
 f64::Water level(double foam = 0.0, double depth = 0.01) {
   f64::Water w;
-  w.normal = zenith;
+  w.normal = w.facing = zenith;
+  w.variance = 0.0;
   w.depth = depth;
   w.foam = foam;
   w.roughness = 0.3;
@@ -456,7 +457,7 @@ TEST(WaterLight, IsTheSameHoweverTheSceneIsTurned) {
       f64::SceneLight scene = test::bare_scene(t * sun);
       scene.ambient = 0.2;
       f64::Water w = level(0.2);
-      w.normal = t * zenith;
+      w.normal = w.facing = t * zenith;
       return f64::water_light(w, f64::light_at(t * zenith, 0.0, scene), t * ray, sand, white, 0.8, look, scene);
     };
     ASSERT_LT(glm::distance(light(glm::dmat3(1.0)), light(turned)), 1e-9);

@@ -16,6 +16,18 @@
 namespace terrella {
 namespace {
 
+// From so many metres over it.
+Scene real_sea(double height) {
+  Scene scene;
+  scene.planet.radius = 6.36e6;
+  scene.terrain.height = 11e3;
+  scene.water.level = 9e3;
+  scene.camera.altitude = scene.water.level + height;
+  scene.waves.count = 20;
+  scene.waves.spectrum = choice("waves.spectrum", "wind");
+  return scene;
+}
+
 struct Case {
   const char* name;
   std::function<void(Scene&)> change;
@@ -243,6 +255,10 @@ const Case cases[] = {
        s.water.ripples = 1.0;
      },
      [](const Needs& n) { return n.water == Water::none && n.ripple_layers == 0 && n.water_lift == 0.0; }},
+    {"waves of a wind are there on a planet of real size", [](Scene& s) { s = real_sea(200.0); },
+     [](const Needs& n) { return n.water == Water::waves && n.sea_swell > 0.0 && n.water_hides > 0.0; }},
+    {"but not from so far that the longest is smaller than a pixel", [](Scene& s) { s = real_sea(4e5); },
+     [](const Needs& n) { return n.water == Water::calm && n.sea_swell == 0.0; }},
     {"a sea of waves has no ripples beside them", [](Scene& s) { s.waves.count = 8; },
      [](const Needs& n) { return n.water == Water::waves && n.ripple_layers == 0; }},
     {"waves that stand move nothing",

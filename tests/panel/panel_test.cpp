@@ -47,7 +47,7 @@ TEST_F(PanelTest, ValuesStayInRangeAtTheEndsOfTheirSliders) {
     }
   }
   EXPECT_EQ(document.scene.waves.steepness, 1.0);
-  EXPECT_EQ(document.scene.waves.count, 100);
+  EXPECT_EQ(document.scene.waves.count, 1000);
 }
 
 TEST_F(PanelTest, AHeldSliderIsDraggedUntilItIsLetGo) {

@@ -23,8 +23,8 @@ TEST(Assign, SaysWhatIsWrongAndWhatIsAllowed) {
   EXPECT_EQ(sentence("planet.radius", "0"), "planet.radius: 0 is out of range; allowed are 1 to 1e8 m.");
   EXPECT_EQ(sentence("camera.longitude", "180.5"),
             "camera.longitude: 180.5 is out of range; allowed are -180 to 180 deg.");
-  EXPECT_EQ(sentence("waves.count", "2.5"), "waves.count: 2.5 is not a whole number; allowed are 0 to 100.");
-  EXPECT_EQ(sentence("waves.count", "many"), "waves.count: \"many\" is not a whole number; allowed are 0 to 100.");
+  EXPECT_EQ(sentence("waves.count", "2.5"), "waves.count: 2.5 is not a whole number; allowed are 0 to 1000.");
+  EXPECT_EQ(sentence("waves.count", "many"), "waves.count: \"many\" is not a whole number; allowed are 0 to 1000.");
   EXPECT_EQ(sentence("waves.steepness", ""), "waves.steepness: \"\" is not a number; allowed are 0 to 1.");
   EXPECT_EQ(sentence("terrain.ridged", "yes"),
             "terrain.ridged: \"yes\" is neither true nor false; allowed are true or false.");

@@ -367,7 +367,7 @@ describe('the page', () => {
     await sleep(500);
     const before = await textures();
     await press(page, 100, 51);
-    await until(page, count => terrella.stats().textures === count + 24, before);
+    await until(page, count => terrella.stats().textures === count + 25, before);
     await sleep(500);
     const dusk = await look(page, undefined, { x: 24, y: 230, width: 64, height: 36 });
     assert.ok(dusk.colors > 200, JSON.stringify(dusk));

@@ -1,0 +1,140 @@
+// The sea of a planet of real size as it is drawn, against the reference: all waves at each place, without level of
+// detail.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "images/reference_errors.hpp"
+#include "measure/ground_models.hpp"
+#include "native/egl_context.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+struct SeaView {
+  const char* name;
+  double height, pitch;  // m over the still sea; deg
+  double wind;
+  double psnr;  // at least, dB
+};
+
+void PrintTo(const SeaView& view, std::ostream* out) { *out << view.name; }
+
+// A place where two regions of waves meet lies at 45 degrees of longitude.
+Scene sea_of_wind(double wind, double height, double longitude) {
+  Scene scene = find_preset("blue")->scene;
+  scene.clouds.model = scene.stars.model = 0;
+  scene.water.ripples = 0.0;
+  scene.water.foam = 0.6;
+  scene.waves.count = 20;
+  scene.waves.spectrum = 1;
+  scene.waves.wind = wind;
+  scene.waves.shortest = 2.0;
+  scene.waves.steepness = 1.0;
+  scene.camera.latitude = 10.0;
+  scene.camera.longitude = longitude;
+  scene.camera.altitude = scene.water.level + height;
+  scene.camera.heading = 90.0;
+  return scene;
+}
+
+bool prints() { return std::getenv("TERRELLA_PRINT") != nullptr; }
+
+class SeasOfWind : public testing::TestWithParam<SeaView> {};
+
+TEST_P(SeasOfWind, AreThoseOfTheReference) {
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  const SeaView& view = GetParam();
+  Scene scene = sea_of_wind(view.wind, view.height, 160.0);
+  scene.camera.pitch = view.pitch;
+  reference::Options options = test::asked_for<reference::Options>();
+  options.samples = 6;  // as glints are smaller than pixels
+  const Image exact = reference::light(scene, options);
+  for (const Ground ground : ground_models()) {
+    Scene drawn = scene;
+    drawn.terrain.model = static_cast<int>(ground) - static_cast<int>(Ground::icosphere) + 2;
+    Renderer renderer;
+    const double found = psnr(test::cut_off(test::light_of(drawn, renderer)), test::cut_off(exact));
+    if (prints()) std::printf("%-14s%-16s %.1f dB\n", view.name, std::string(name_of(ground)).c_str(), found);
+    EXPECT_GE(found, view.psnr) << name_of(ground);
+  }
+}
+
+// Floors lie a tenth of a dB under what was measured, the same on all three grounds.
+const SeaView views[] = {{"from_0_5_m", 0.5, -4.0, 6.0, 35.0},    {"from_2_m", 2.0, -8.0, 8.0, 33.6},
+                         {"from_20_m", 20.0, -8.0, 8.0, 35.1},    {"gale_from_20_m", 20.0, -8.0, 20.0, 26.3},
+                         {"from_200_m", 200.0, -20.0, 8.0, 39.2}, {"from_2_km", 2e3, -30.0, 8.0, 44.0},
+                         {"from_200_km", 2e5, -50.0, 8.0, 52.0}};
+
+INSTANTIATE_TEST_SUITE_P(From, SeasOfWind, testing::ValuesIn(views),
+                         [](const auto& view) { return std::string(view.param.name); });
+
+double mean_of_light(const Image& light) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < light.pixels.size(); i += 4) sum += std::min(light.pixels[i + 1], 1.0F);
+  return sum / (static_cast<double>(light.pixels.size()) / 4.0);
+}
+
+// A sea is as bright where regions meet as beside that, and from far as from near.
+TEST(SeaOfWind, IsOfOneBrightnessWhereRegionsMeet) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  const auto brightness = [&](double longitude) {
+    Scene scene = sea_of_wind(10.0, 300.0, longitude);
+    // Nothing but the sea, and a sun that stands over it.
+    scene.terrain.height = 900.0;
+    scene.camera.pitch = -60.0;
+    scene.sun.longitude = longitude;
+    return mean_of_light(test::light_of(scene, renderer));
+  };
+  const double beside = brightness(30.0);
+  EXPECT_NEAR(brightness(45.0), beside, 0.03 * beside);
+  EXPECT_NEAR(brightness(44.0), beside, 0.03 * beside);
+}
+
+// Whatever a scene asks for is drawn finite.
+TEST(SeaOfWind, IsFiniteAtTheExtremes) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  const auto expect_finite = [&](const char* what, const Scene& scene, double seconds = 3.0) {
+    StillOptions options;
+    options.width = 48;
+    options.height = 27;
+    options.seconds = seconds;
+    const Image light = take_measurement(renderer, scene, options, Channel::color);
+    EXPECT_TRUE(std::all_of(light.pixels.begin(), light.pixels.end(), [](float v) { return std::isfinite(v); }))
+        << what;
+    EXPECT_GT(mean_of_light(light), 1e-4) << what;
+  };
+  const Scene usual = sea_of_wind(10.0, 5.0, 45.0);
+  Scene scene = usual;
+  scene.waves.count = 1000;
+  expect_finite("1,000 waves where regions meet", scene);
+  scene = usual;
+  scene.waves.steepness = 1.0;
+  scene.waves.wind = 60.0;
+  scene.waves.fetch = 1e8;
+  expect_finite("the strongest wind", scene);
+  scene.waves.wind = 0.1;
+  expect_finite("the weakest wind", scene);
+  scene = usual;
+  scene.waves.shortest = 0.01;
+  expect_finite("waves of a centimetre", scene);
+  expect_finite("thirty years", usual, 9.467e8);
+  for (const double radius : {1.0, 1e3, 2e4, 1e8}) {
+    scene = usual;
+    scene.planet.radius = radius;
+    scene.terrain.height = 0.001 * radius;
+    scene.water.level = 0.0009 * radius;
+    scene.camera.altitude = scene.water.level + 0.01 * std::min(radius, 1e3);
+    expect_finite("a planet of another size", scene);
+  }
+}
+
+}  // namespace
+}  // namespace terrella
