@@ -2,6 +2,7 @@
 // pixel but for what straight lines between vertices miss of the waves that those carry.
 #include "node_waves.glsl"
 #include "water_surface.glsl"
+#include "lib/open_water.glsl"
 
 in vec3 still_from_eye;
 in vec4 carried_slope;

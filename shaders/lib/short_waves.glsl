@@ -54,9 +54,3 @@ void add_short_wave(inout WaveSum sum, vec2 arcs, ShortWave wave, float weight) 
   add_swell(sum, d, height * turn.y, height * wave.wavenumber * turn.x, sway, -weight * wave.pinch * wave.wavenumber * turn.y,
             0.0);
 }
-
-// The part of a normal distribution below x standard deviations, within 2e-4.
-float part_below(float x) {
-  float c = clamp(x, -8.0, 8.0);
-  return 1.0 / (1.0 + exp(-c * (1.5976 + 0.070566 * c * c)));
-}

@@ -1,7 +1,7 @@
 // Water as it is seen: what it reflects, what one sees through it, and what floats on it. Lengths in planet radii.
 #include "lib/ground.glsl"
 #include "lib/heights.glsl"
-#include "lib/short_waves.glsl"
+#include "lib/waves.glsl"
 
 // What a scene's water is like.
 struct WaterLook {
@@ -138,30 +138,6 @@ Water with_unseen_waves(Water w, float unseen, vec3 to_eye) {
   w.facing = normalize(w.normal - mean_seen_slope(along_each, w.normal, to_eye));
   w.variance = along_each * climb * climb / (climb * climb + 2.55 * along_each + 1.0e-12);
   return w;
-}
-
-// Where a sea's crests break into foam.
-struct Breaking {
-  float fold;        // Jacobian of the surface below which water is foam
-  float softness;    // by how much it differs from place to place, > 0
-  float choppiness;  // Q: what a slope's deviation is to be multiplied by for that of the Jacobian
-};
-
-// A sea whose waves are shown in part. up: unit, of the still water; to_eye: unit; unseen: variance of the slopes of those that are not
-// shown, which roughens the water and folds it by chance; whole_depth: at which waves are whole.
-Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, float unseen, Breaking breaking, float whole_depth, WaterLook look) {
-  vec3 n = wave_normal(sum);
-  float doubt = sqrt(breaking.softness * breaking.softness + breaking.choppiness * breaking.choppiness * unseen);
-  float broken = part_below((breaking.fold - n.z) / doubt);
-  float shore = 1.0 - smoothstep(0.05, 0.35, depth / whole_depth);
-  float own = look.roughness * look.roughness;
-  n = normalize(n);
-  Water w;
-  w.normal = normal_in_frame(n, frame, up);
-  w.depth = depth;
-  w.roughness = clamp(sqrt(sqrt(own * own + unseen)), 0.02, 1.0);
-  w.foam = look.foam * clamp(broken + 0.8 * shore, 0.0, 1.0);
-  return with_unseen_waves(w, unseen, to_eye);
 }
 
 // A ray as it goes on in the water. ray, normal: unit, from the air.

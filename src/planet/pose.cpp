@@ -157,7 +157,8 @@ Pose pose_of(const Scene& scene, const View& view) {
   const glm::dvec3 below = direction_below(scene);
   double surface = surface_radius(scene, below);
   // Eyes between crests and troughs stay over the water.
-  if (has_water(scene) && scene.camera.altitude / scene.planet.radius <= sea_top(scene) - 1.0 + least_clearance(scene))
+  if (has_real_size && has_water(scene) &&
+      scene.camera.altitude / scene.planet.radius <= sea_top(scene) - 1.0 + least_clearance(scene))
     surface = std::max(surface, water_of_short_waves(scene, below, view.seconds));
   return pose_over(surface, scene, view);
 }

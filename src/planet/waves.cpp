@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "planet/needs.hpp"
+#include "planet/real_size.hpp"
 #include "planet/wind_sea.hpp"
 
 namespace terrella {
@@ -71,7 +72,7 @@ std::vector<AskedWave> free_waves(const Scene& scene, std::mt19937& random) {
     waves.push_back(wave);
   }
   // In pixels those that are too short for one are the last.
-  std::stable_sort(waves.begin(), waves.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
+  std::sort(waves.begin(), waves.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
   return waves;
 }
 
@@ -145,7 +146,7 @@ Sea make_sea(const Scene& scene, double seconds) {
   sea.amplitude = (wind ? std::sqrt(squares) : from.amplitude) / radius;
   const double scale = sea.amplitude / std::sqrt(squares);
 
-  const bool has_regions = has_nodes(ground_technique(scene));
+  const bool has_regions = has_real_size && has_nodes(ground_technique(scene));
   Sums all, of_short;
   for (const AskedWave& wave : asked) {
     const double amplitude = scale * wave.amplitude, wavenumber = turn * radius / wave.length;

@@ -51,7 +51,7 @@ WindSpectrum::WindSpectrum(double wind, double fetch) {
   // a sea that grows no more.
   constexpr double longest = 1.58e4;
   const double fetches = std::min(gravity * fetch / (wind * wind), longest);
-  peak_ = 22.0 * gravity / wind * std::cbrt(1.0 / fetches);
+  peak_ = 22.0 * gravity / wind * std::pow(fetches, -1.0 / 3.0);
   alpha_ = 0.076 * std::pow(fetches, -0.22);
 }
 
@@ -72,7 +72,7 @@ double deep_frequency(double length) {
 double deep_length(double frequency) {
   // Newton's method from without tension, where the function curves up: it comes down from above.
   const double square = frequency * frequency;
-  double k = std::min(square / gravity, std::cbrt(square / tension));
+  double k = std::min(square / gravity, std::pow(square / tension, 1.0 / 3.0));
   for (int i = 0; i < 20; ++i) k -= (gravity * k + tension * k * k * k - square) / (gravity + 3.0 * tension * k * k);
   return whole_turn / k;
 }
@@ -80,7 +80,8 @@ double deep_length(double frequency) {
 std::vector<WindWave> wind_waves(const WindSpectrum& spectrum, double shortest, const std::vector<double>& jitter) {
   const double lowest = 0.7 * spectrum.peak();
   const double highest = deep_frequency(std::min(shortest, deep_length(spectrum.peak())));
-  const auto [logarithms, sums] = energies_between(spectrum, lowest, highest);
+  const Energies energies = energies_between(spectrum, lowest, highest);
+  const std::vector<double>&logarithms = energies.logarithms, &sums = energies.sums;
   const auto share = [&, octaves = logarithms.back() - logarithms.front()](std::size_t i) {
     return 0.5 * sums[i] / sums.back() + 0.5 * (logarithms[i] - logarithms.front()) / octaves;
   };
@@ -112,8 +113,12 @@ std::vector<WindWave> wind_waves(const WindSpectrum& spectrum, double shortest, 
 
 double whitecaps(double wind) { return std::min(3.84e-6 * std::pow(wind, 3.41), 0.3); }
 
+// Hastings' approximation (Abramowitz and Stegun 26.2.23).
 double deviations_of(double part) {
-  return where_it_is(part, -10.0, 10.0, [](double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); });
+  const double t = std::sqrt(-2.0 * std::log(std::min(part, 1.0 - part)));
+  const double size =
+      t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1.0 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
+  return part < 0.5 ? -size : size;
 }
 
 double angle_of_part(double part) {

@@ -46,7 +46,7 @@ std::vector<WindWave> wind_waves(const WindSpectrum& spectrum, double shortest, 
 double whitecaps(double wind);
 
 // By how many standard deviations a part (0..1, exclusive) of a normal distribution lies below: the inverse of its
-// cumulated density, within 1e-9.
+// cumulated density, within 5e-4.
 double deviations_of(double part);
 
 // The angle (rad) below which a part (0..1) of waves runs, of which as many as the squared cosine says run at an angle

@@ -105,8 +105,8 @@ TEST(DeepWater, HasASlowestWave) {
 }
 
 TEST(NormalDistribution, DeviationsAreTheInverseOfParts) {
-  for (double part = 1e-6; part < 1.0; part += 0.01)
-    EXPECT_NEAR(0.5 * std::erfc(-deviations_of(part) / std::numbers::sqrt2), part, 1e-9);
+  for (double deviations = -5.0; deviations <= 5.0; deviations += 0.01)
+    EXPECT_NEAR(deviations_of(0.5 * std::erfc(-deviations / std::numbers::sqrt2)), deviations, 5e-4);
 }
 
 TEST(Directions, AreSpreadAsTheSquaredCosine) {
