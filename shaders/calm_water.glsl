@@ -10,5 +10,6 @@ vec3 water_place() { return surface_from_eye; }
 void emit_calm_water(Ripples r, float crust, vec3 up) {
   r.rough += ripple.z;
   Water water = calm_water(up, depth_below(up), r, crust, water_look());
+  water.foam = max(water.foam, water_foam * slopes.z);
   emit_water(with_unseen_waves(water, ripple.z, -normalize(surface_from_eye)), up, 0.0);
 }

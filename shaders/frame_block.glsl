@@ -16,7 +16,7 @@ layout(std140) uniform FrameBlock {
   vec4 ripple_turn;        // x, y: cosine and sine of the angle by which the first layer's gradients are turned; z: layers
   vec4 water_extinction;   // xyz: of light in water, per radius
   vec4 levels;             // x: sine of the latitude from which snow lies at the water's edge, above 1: nowhere; y: lift of the water's mesh, radii, or of nodes parts of the distance; z: level of the map of the ground that pixels can show; w: most that the sea of nodes is lifted, radii
-  vec4 slopes;             // x: unseen_slopes of the map of the ground and the pixels, y: of the ground's mesh
+  vec4 slopes;             // x: unseen_slopes of the map of the ground and the pixels, y: of the ground's mesh; z: part of the sea that is foam by waves that are not drawn
   vec4 sky_glow;           // xyz: light of the glow that a low sun spreads over the sky of the eye, 0 outside of the air
   vec4 fineness;           // x: footprint_of_pixel, pixels; y: of texels of the map of the ground from where pixels add layers, pixels; z: size of points of light for which one pixel is shown, pixels; w: part of their light that is left at this size
   vec4 depth;              // x: of the far plane, a part of w; y, z: factor of and distance at which logarithms of distances become depths, y 0: none do

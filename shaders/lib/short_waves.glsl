@@ -1,5 +1,5 @@
 // Waves that are short beside the planet, told from an anchor near the eye (Michelic 2018, 7 to 10), on the unit sphere. Of
-// such waves none is seen from further than a hundred of its lengths, and its origin is far: so its arc from there is a short
+// such waves none is seen from further than some hundred of its lengths, and its origin is far: so its arc from there is a short
 // polynomial of where a place lies from the anchor, without the roots and arc tangents of lib/anchored_waves.glsl.
 #include "lib/waves.glsl"
 

@@ -18,8 +18,8 @@ double distance_of(const Scene& scene) { return 1.0 + scene.camera.altitude / sc
 void set_distance(Scene& scene, double distance) { scene.camera.altitude = (distance - 1.0) * scene.planet.radius; }
 
 void keep_raised(Scene& scene, const View& view) {
-  const Pose pose = pose_of(scene, view);
-  if (pose.raised) set_distance(scene, glm::length(pose.eye));
+  if (pose_of(scene, view).raised)
+    set_distance(scene, surface_radius(scene, facing_of(scene.camera).place) + least_clearance(scene));
 }
 
 double wrapped(double degrees) { return std::remainder(degrees, 360.0); }

@@ -90,8 +90,8 @@ void add_water(Sum& sum, const Needs& needs) {
       sum.program(text_of(name, "_nodes"));
       sum.program(text_of(name, "_deep_nodes"));
     }
-    constexpr std::int64_t wave_list = 16'384;
-    if (needs.water == Water::waves) sum.bytes(2 * wave_list);
+    constexpr std::int64_t wave_list = 16'384;  // two of the short waves, one of a hundred long ones
+    if (needs.water == Water::waves) sum.bytes(2 * wave_list + 3'200);
     return;
   }
   for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {

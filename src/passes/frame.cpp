@@ -26,6 +26,13 @@ double finest_seen(const Frame& frame, const Maps& maps) {
   return refines_ground(frame.needs) ? pixel : std::max(pixel, maps.ground_texel);
 }
 
+// Part of a sea whose waves are not drawn that they whiten.
+double white_from_afar(const Needs& needs, const Sea& sea) {
+  if (needs.water != Water::calm || sea.is_calm()) return 0.0;
+  const double deviation = std::hypot(sea.breaking.softness, sea.breaking.choppiness * std::sqrt(sea.slope_variance));
+  return f64::part_below((sea.breaking.fold - 1.0) / deviation);
+}
+
 }  // namespace
 
 double margin_of_rows(const Frame& frame) {
@@ -91,14 +98,15 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.cloud_turn = glm::vec4(drift, maps.cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
   block.cloud_moments = vector(maps.cloud_moments);
   block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest,
-                        static_cast<double>(std::min(sea.waves.size(), most_long_waves)), whole_wave_depth(sea));
+                        std::min(static_cast<double>(sea.waves.size()), static_cast<double>(most_long_waves)),
+                        whole_wave_depth(sea));
   block.ripple = glm::vec4(needs.ripple_layers > 0 ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
                            needs.water == Water::calm ? sea.slope_variance : 0.0, sea.amplitude);
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);
   block.water_extinction = vector(water_look_of(scene).extinction);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);
-  block.slopes =
-      glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)), unseen_slopes(scene, needs.ground_spacing), 0.0, 0.0);
+  block.slopes = glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)), unseen_slopes(scene, needs.ground_spacing),
+                           white_from_afar(needs, sea), 0.0);
   block.sky_glow = vector(light.sky_glow);
   // Points of light have their size in the picture that is shown; where fewer pixels are drawn they are as small as can
   // be, and dimmer for it.

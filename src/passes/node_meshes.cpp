@@ -19,6 +19,9 @@ constexpr double live_ms = 5.0, hurried_ms = 10.0;
 // Of a pixel: skirts are no wider than what floats and the corners of pixels may leave open.
 constexpr double skirt_pixels = 0.7;
 
+// Of waves, which a straight edge between the vertices of a coarser neighbour misses by up to so much.
+constexpr double wave_skirt_pixels = 3.0;
+
 double time_for(Effort effort) {
   switch (effort) {
     case Effort::complete: return std::numeric_limits<double>::infinity();
@@ -78,7 +81,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   const double time = making == Making::in_time ? time_for(frame.effort) : 0.0;
   // What is only ahead serves pictures that follow.
   const bool looks_ahead = frame.effort != Effort::complete;
-  const auto wants_more = [&] { return !is_full_ && (lacks() || (looks_ahead && !choice_.missing.empty())); };
+  const auto wants_more = [&] { return !is_full_ && (choice_.lacks || (looks_ahead && !choice_.missing.empty())); };
   // A whole level of detail may be missing at each turn.
   for (int turn = 0; turn <= 2 * deepest_level && wants_more() && milliseconds_since(start) < time; ++turn) {
     make_missing(frame, time - milliseconds_since(start));
@@ -88,9 +91,8 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
 }
 
 void NodeMeshes::choose() {
-  sea_choice_.drawn.clear();
-  sea_choice_.lacks = false;
-  if (sight_.sea > 0.0) {
+  // The sea's nodes are the ground's, or what those are quarters of.
+  if (sea_is_coarser()) {
     cache_.begin_frame();
     choose_nodes(*grid_, sight_, eye_, sea_ranges_, cache_, sea_choice_);
   }
@@ -100,10 +102,8 @@ void NodeMeshes::choose() {
 
 void NodeMeshes::make_missing(const Frame& frame, double time) {
   const auto start = std::chrono::steady_clock::now();
-  // What the sea lacks but for that the ground does as well.
-  const auto& missing = choice_.lacks || !sea_choice_.lacks ? choice_.missing : sea_choice_.missing;
-  for (const MissingNode& node : missing) {
-    if (milliseconds_since(start) >= time || !make(frame.scene, node.node)) return;
+  for (const MissingNode& missing : choice_.missing) {
+    if (milliseconds_since(start) >= time || !make(frame.scene, missing.node)) return;
   }
 }
 
@@ -179,8 +179,10 @@ void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer 
   if (heights_) heights_->bind(gl::unit_heights);
   program.set("node_vertices", static_cast<int>(patch_.vertices.size()));
   const NodeRanges& ranges = layer == NodeLayer::ground ? ranges_ : sea_ranges_;
+  const bool waves = layer != NodeLayer::ground && frame.needs.water == Water::waves;
+  const double skirt = (waves ? wave_skirt_pixels : skirt_pixels) * frame.pose.pixel_angle;
   program.set("node_morph", static_cast<float>(ranges.morph_begin()), static_cast<float>(ranges.morph_end()),
-              static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt_pixels * frame.pose.pixel_angle));
+              static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt));
   for (const Run& run : runs_.at(static_cast<std::size_t>(layer))) {
     if (of_level) of_level(grid_->spacing(run.coarsest, patch_.cells));
     meshes_->draw(lists_.at(run.list).first, lists_.at(run.list).count, run.first, run.count);

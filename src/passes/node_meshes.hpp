@@ -46,13 +46,13 @@ class NodeMeshes {
   void draw(const Frame& frame, const gl::Program& program, NodeLayer layer, const OfLevel& of_level = {}) const;
 
   // Whether nothing is missing that there is room for.
-  [[nodiscard]] bool settled() const { return !lacks() || is_full_; }
+  [[nodiscard]] bool settled() const { return !choice_.lacks || is_full_; }
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
 
  private:
-  [[nodiscard]] bool lacks() const { return choice_.lacks || sea_choice_.lacks; }
+  [[nodiscard]] bool sea_is_coarser() const { return sight_.sea > 0.0 && sea_ranges_.split < ranges_.split; }
   [[nodiscard]] const std::vector<DrawnNode>& drawn_as(NodeLayer layer) const {
-    return layer == NodeLayer::ground ? choice_.drawn : sea_choice_.drawn;
+    return layer == NodeLayer::ground || !sea_is_coarser() ? choice_.drawn : sea_choice_.drawn;
   }
   // Forgets what was made for another grid or another relief.
   void start_anew(const Frame& frame);

@@ -27,6 +27,8 @@ struct NearWaveBlock {
   List list;
 };
 
+static_assert(sizeof(NearWaveBlock) <= 16'384);  // what every driver takes
+
 using Texels = std::vector<glm::vec4>;
 
 // Two a wave.

@@ -212,7 +212,7 @@ int ripple_layers(double frequency, double pixel) {
 
 void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   const auto& water = scene.water;
-  const bool calm = needs.water == Water::calm;
+  const bool calm = needs.water == Water::calm && !needs.hides_waves;
   const bool wanted = calm && has_ripples(scene);
   const double pixel = footprint_below(scene, pose);
   const bool seen = 1.0 / water.ripple_frequency > 2.0 * pixel;
@@ -260,10 +260,12 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
     decide.add("waves.steepness", sea.steepness,
                sea.held ? "held where the surface would fold over" : "as asked; the surface does not fold");
   }
+  needs.hides_waves = nodes && needs.water == Water::calm && !sea.is_calm();
   const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
   needs.water_level = needs.water == Water::waves ? finest_relief_level(scene) : sphere_level(allowed);
   decide.add("water.level", needs.water_level,
-             needs.water == Water::waves
+             nodes ? "of no use over a ground of nodes, whose vertices the sea takes"
+             : needs.water == Water::waves
                  ? "waves need the finest mesh: level 6, or 7 with quality.pixel_error below 0.2, 8 below 0.1"
                  : "the coarsest sphere within quality.pixel_error, and no finer than level 6");
   // So that no flat triangle of the sea dips below one of the ground where both should meet: then the map, or the
@@ -399,7 +401,7 @@ void decide_rest(Needs& needs, const Scene& scene, Decisions& decide) {
 
 bool anything_moves(const Needs& needs, const Scene& scene) {
   if (scene.time.speed == 0.0) return false;
-  const bool waves = needs.water == Water::waves && scene.waves.speed > 0.0;
+  const bool waves = needs.water == Water::waves && waves_run(scene);
   const bool ripples = needs.ripple_layers > 0 && scene.water.ripple_speed > 0.0;
   return clouds_move(scene) || waves || ripples;
 }
@@ -467,7 +469,7 @@ double footprint_below(const Scene& scene, const Pose& pose) {
 
 bool may_move(const Scene& scene) {
   if (scene.time.speed == 0.0) return false;
-  const bool waves = has_water(scene) && scene.waves.count > 0 && scene.waves.speed > 0.0;
+  const bool waves = has_water(scene) && scene.waves.count > 0 && waves_run(scene);
   const bool ripples = has_water(scene) && has_ripples(scene) && scene.water.ripple_speed > 0.0;
   return clouds_move(scene) || waves || ripples;
 }

@@ -57,6 +57,7 @@ struct Needs {
   double water_lift = 0;  // by how much its mesh is raised, radii, or of nodes parts of the distance; never more than
                           // may be seen
   double water_most_lift = 0;  // of the sea of nodes, radii
+  bool hides_waves = false;    // the sea of nodes has waves that are too small to be seen
   double water_hides = 0;      // depth from which nothing is seen of the ground, radii
   double sea_swell = 0;        // by how much waves raise and move the sea of nodes at the most, radii
   int ripple_layers = 0;       // of small waves as flow noise at every pixel of a calm sea, and of its crust

@@ -75,10 +75,6 @@ double ground_below(const Scene& scene, const glm::dvec3& direction) {
   return exact_ground_radius(exact_terrain_of(scene), direction, nodes ? finest_footprint : finest_of_meshes);
 }
 
-}  // namespace
-
-namespace {
-
 // No crest of long waves is higher at a place, whatever the time. Shallow water holds waves back; but a crest leans
 // aside by as much as it is high at the most, and comes from where the water is deeper by that times the slope of a
 // shore.
@@ -91,12 +87,13 @@ double highest_sea(const Scene& scene, double ground) {
   return still + highest * glm::smoothstep(0.0, whole_wave_depth(sea), depth);
 }
 
-// Radius of the water's surface as short waves have it at a moment; the ground's where that is higher.
+// Radius of the water as short waves raise or lower it at a moment, on the highest of the long ones.
 double water_of_short_waves(const Scene& scene, const glm::dvec3& direction, double seconds) {
+  const double still = water_radius(scene), ground = has_ground(scene) ? ground_below(scene, direction) : 1.0;
   const Sea sea = make_sea(scene, seconds);
-  const double still = water_radius(scene);
-  const double depth = has_ground(scene) ? still - ground_below(scene, direction) : 1.0;
-  return still + f64::left_by_ground(depth, whole_wave_depth(sea)) * water_over(near_waves(sea, direction));
+  const double depth = has_ground(scene) ? still - ground : whole_wave_depth(sea);
+  return highest_sea(scene, ground) +
+         f64::left_by_ground(depth, whole_wave_depth(sea)) * water_over(near_waves(sea, direction));
 }
 
 }  // namespace
@@ -155,12 +152,15 @@ glm::dvec3 direction_below(const Scene& scene) { return direction_of(scene.camer
 
 Pose pose_of(const Scene& scene, const View& view) {
   const glm::dvec3 below = direction_below(scene);
-  double surface = surface_radius(scene, below);
-  // Eyes between crests and troughs stay over the water.
-  if (has_real_size && has_water(scene) &&
-      scene.camera.altitude / scene.planet.radius <= sea_top(scene) - 1.0 + least_clearance(scene))
-    surface = std::max(surface, water_of_short_waves(scene, below, view.seconds));
-  return pose_over(surface, scene, view);
+  const double surface = surface_radius(scene, below);
+  Pose pose = pose_over(surface, scene, view);
+  // Eyes between crests and troughs stay over the water, but are not raised for good.
+  if (has_real_size && has_water(scene) && pose.clearance <= sea_top(scene) - water_radius(scene)) {
+    const bool raised = pose.raised;
+    pose = pose_over(std::max(surface, water_of_short_waves(scene, below, view.seconds)), scene, view);
+    pose.raised = raised;
+  }
+  return pose;
 }
 
 Pose pose_over_coarse_ground(const Scene& scene, const View& view) {

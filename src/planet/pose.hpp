@@ -34,7 +34,7 @@ struct Pose {
   double pixel_angle;             // rad, in the middle of the picture
   double clearance;               // height of the eye over the highest of ground and sea below it
   double near, far;               // distances between which everything lies
-  bool raised;                    // the asked place was under the ground or the sea
+  bool raised;                    // the asked place was under the ground or the sea, short waves apart
 };
 
 // The camera comes no nearer to the ground, radii: on a miniature planet as an ant walks, on a large one as a child.

@@ -10,8 +10,8 @@
 namespace terrella {
 namespace {
 
-// In lengths of a wave: further away pixels can't show it.
-constexpr double farthest_seen = 100.0;
+// In lengths of a wave: from further away pictures of usual size don't show it.
+constexpr double farthest_seen = 200.0;
 
 f64::ShortWave seen_from(const f64::Wave& wave, const glm::dvec3& anchor, const f64::Frame& axes) {
   const double cosine = glm::dot(wave.origin, anchor), sine = glm::length(glm::cross(wave.origin, anchor));

@@ -20,6 +20,8 @@ constexpr double turn = 2.0 * std::numbers::pi;
 // Places in the choice lists of params.inc.
 enum : int { water_calm = 2, spectrum_wind = 1 };
 
+bool is_of_wind(const Scene& scene) { return scene.waves.spectrum == spectrum_wind; }
+
 // Just under the sum at which the surface folds.
 constexpr double most_pinch = 0.95;
 
@@ -54,12 +56,12 @@ glm::dvec3 origin_between(const glm::dvec3& main, const glm::dvec3& own, double 
   return glm::length(origin) > 1e-3 ? glm::normalize(origin) : own;
 }
 
-std::vector<AskedWave> free_waves(const Scene& scene, std::mt19937& random) {
+std::vector<AskedWave> free_waves(const Scene& scene, int count, std::mt19937& random) {
   const auto& from = scene.waves;
   const glm::dvec3 main_origin = any_direction(random);
   std::vector<AskedWave> waves;
-  for (int i = 0; i < from.count; ++i) {
-    const double rank = from.count > 1 ? static_cast<double>(i) / (from.count - 1) : 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double rank = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
     const double part = std::pow(0.2, rank) * (i == 0 ? 1.0 : 0.85 + 0.3 * uniform(random));
     const glm::dvec3 own = any_direction(random);
     AskedWave wave;
@@ -76,12 +78,12 @@ std::vector<AskedWave> free_waves(const Scene& scene, std::mt19937& random) {
   return waves;
 }
 
-std::vector<AskedWave> waves_of_wind(const Scene& scene, std::mt19937& random) {
+std::vector<AskedWave> waves_of_wind(const Scene& scene, int count, std::mt19937& random) {
   const auto& from = scene.waves;
   const double fetch = std::min(from.fetch, std::numbers::pi * scene.planet.radius);
   const glm::dvec3 main_origin = any_direction(random);
   std::vector<double> jitter;
-  for (int i = 0; i < from.count; ++i) jitter.push_back(uniform(random));
+  for (int i = 0; i < count; ++i) jitter.push_back(uniform(random));
   std::vector<AskedWave> waves;
   // Angles of neighbours in length differ as those of a sunflower's seeds.
   double part = uniform(random);
@@ -112,10 +114,7 @@ glm::dvec3 north_of(int region) {
   return region < 4 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(-middle.z, 0.0, 0.0);
 }
 
-double phase_of(const AskedWave& wave, double start, double seconds) {
-  // Crests run away from the origin: the phase falls with time.
-  return std::remainder(start - std::fmod(wave.frequency * seconds, turn), turn);
-}
+double reduced(double phase) { return std::remainder(phase, turn); }
 
 // How waves of different lengths, each of them as steep as it may be, meet.
 struct Sums {
@@ -130,48 +129,55 @@ struct Sums {
   }
 };
 
-}  // namespace
-
-Sea make_sea(const Scene& scene, double seconds) {
-  const auto& from = scene.waves;
-  const bool wind = from.spectrum == spectrum_wind;
+// A scene's sea at time 0, and how fast its waves turn (rad/s).
+struct SeaShape {
   Sea sea;
-  if (scene.water.model == water_calm || from.count == 0 || (!wind && from.amplitude <= 0.0)) return sea;
+  std::vector<double> frequencies, short_frequencies;
+};
 
+SeaShape shape_of(const Scene& scene, bool has_regions) {
+  const auto& from = scene.waves;
+  const bool wind = is_of_wind(scene);
+  SeaShape shape;
+  Sea& sea = shape.sea;
   std::mt19937 random(static_cast<std::mt19937::result_type>(from.seed) * 2654435761U + 17U);
   const double radius = scene.planet.radius;
-  const std::vector<AskedWave> asked = wind ? waves_of_wind(scene, random) : free_waves(scene, random);
+  const int count = has_regions ? from.count : std::min(from.count, most_long_waves);
+  const std::vector<AskedWave> asked = wind ? waves_of_wind(scene, count, random) : free_waves(scene, count, random);
   double squares = 0.0;
   for (const AskedWave& wave : asked) squares += wave.amplitude * wave.amplitude;
   sea.amplitude = (wind ? std::sqrt(squares) : from.amplitude) / radius;
   const double scale = sea.amplitude / std::sqrt(squares);
 
-  const bool has_regions = has_real_size && has_nodes(ground_technique(scene));
   Sums all, of_short;
   for (const AskedWave& wave : asked) {
     const double amplitude = scale * wave.amplitude, wavenumber = turn * radius / wave.length;
     all.add(amplitude, wavenumber);
     if (!has_regions || wavenumber < longest_short) {
-      sea.waves.push_back({wave.origin, amplitude, wavenumber, phase_of(wave, wave.start, seconds), 0.0});
+      sea.waves.push_back({wave.origin, amplitude, wavenumber, wave.start, 0.0});
+      shape.frequencies.push_back(wave.frequency);
       continue;
     }
     of_short.add(amplitude, wavenumber);
-    RegionalWave regional = {
-        amplitude, wavenumber, 0.0, glm::radians(from.direction) + std::numbers::pi + wave.heading, {}};
-    for (double& phase : regional.phases) phase = phase_of(wave, turn * uniform(random), seconds);
+    const double heading = glm::radians(from.direction) + std::numbers::pi + wave.heading;
+    RegionalWave regional = {amplitude, wavenumber, 0.0, heading, {}};
+    for (double& phase : regional.phases) phase = turn * uniform(random);
     sea.short_waves.push_back(regional);
+    shape.short_frequencies.push_back(wave.frequency);
   }
 
-  // So many waves as a wind raises never meet, so different are their lengths.
+  // Where three regions meet, each has its waves there. So many waves as a wind raises never meet, so different are
+  // their lengths.
+  const double meeting = std::numbers::sqrt3 - 1.0;
+  const double most_slope = all.slope + meeting * of_short.slope;
   const double unlikely_slope = most_deviations * std::sqrt(0.5 * all.slope_squares);
-  const double steepest = wind ? std::min(all.slope, unlikely_slope) : all.slope;
+  const double steepest = wind ? std::min(most_slope, unlikely_slope) : most_slope;
   sea.steepness = std::min(from.steepness, most_pinch / std::max(steepest, 1e-12));
   sea.held = sea.steepness < from.steepness;
   for (f64::Wave& wave : sea.waves) wave.pinch = sea.steepness * wave.amplitude;
   for (RegionalWave& wave : sea.short_waves) wave.pinch = sea.steepness * wave.amplitude;
-  // Where three regions meet, each has its waves there.
   sea.highest = (all.amplitude - of_short.amplitude) +
-                std::min(std::numbers::sqrt3 * of_short.amplitude, most_deviations * std::sqrt(0.5 * of_short.squares));
+                std::min((1.0 + meeting) * of_short.amplitude, most_deviations * std::sqrt(0.5 * of_short.squares));
   sea.slope_variance = 0.5 * all.slope_squares;
   sea.breaking.choppiness = sea.steepness;
   if (wind) {
@@ -181,6 +187,36 @@ Sea make_sea(const Scene& scene, double seconds) {
     sea.breaking.fold = 1.0 + deviations_of(whitecaps(from.wind)) * deviation * std::hypot(1.0, softness);
     sea.breaking.softness = softness * deviation;
   }
+  return shape;
+}
+
+// What shape_of a scene depends on, and what it was last: a frame asks for its sea several times.
+struct Remembered {
+  decltype(Scene::waves) waves;
+  double radius = 0.0;
+  bool has_regions = false;
+  SeaShape shape;
+};
+
+}  // namespace
+
+bool waves_run(const Scene& scene) { return is_of_wind(scene) || scene.waves.speed > 0.0; }
+
+Sea make_sea(const Scene& scene, double seconds) {
+  const auto& from = scene.waves;
+  if (scene.water.model == water_calm || from.count == 0 || (!is_of_wind(scene) && from.amplitude <= 0.0)) return {};
+  static thread_local Remembered last;
+  const bool has_regions = has_real_size && has_nodes(ground_technique(scene));
+  if (!(last.waves == from) || last.radius != scene.planet.radius || last.has_regions != has_regions)
+    last = {from, scene.planet.radius, has_regions, shape_of(scene, has_regions)};
+  Sea sea = last.shape.sea;
+  // Crests run away from their origins: phases fall with time.
+  for (std::size_t i = 0; i < sea.waves.size(); ++i)
+    sea.waves[i].phase = reduced(sea.waves[i].phase - std::fmod(last.shape.frequencies[i] * seconds, turn));
+  for (std::size_t i = 0; i < sea.short_waves.size(); ++i) {
+    const double turned = std::fmod(last.shape.short_frequencies[i] * seconds, turn);
+    for (double& phase : sea.short_waves[i].phases) phase = reduced(phase - turned);
+  }
   return sea;
 }
 
@@ -189,20 +225,6 @@ f64::Wave in_region(const RegionalWave& wave, int region) {
   // A quarter of a great circle behind the region's middle.
   const glm::dvec3 origin = -std::cos(wave.heading) * north - std::sin(wave.heading) * east;
   return {origin, wave.amplitude, wave.wavenumber, wave.phases.at(static_cast<std::size_t>(region)), wave.pinch};
-}
-
-f64::WaveSum waves_at(const Sea& sea, const glm::dvec3& place, const f64::Frame& frame) {
-  f64::WaveSum sum = f64::no_waves();
-  for (const f64::Wave& wave : sea.waves) f64::add_wave(sum, place, frame, wave, 1.0);
-  if (sea.short_waves.empty()) return sum;
-  const glm::dvec3 parts = f64::parts_of_regions(place);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (parts[axis] <= 0.0) continue;
-    const int region = 2 * axis + (place[axis] < 0.0 ? 1 : 0);
-    for (const RegionalWave& wave : sea.short_waves)
-      f64::add_wave(sum, place, frame, in_region(wave, region), parts[axis]);
-  }
-  return sum;
 }
 
 double longest_wave(const Sea& sea) {

@@ -21,8 +21,8 @@ struct RegionalWave {
   std::array<double, regions> phases;  // at its origin in each region, reduced to one turn
 };
 
-// That are drawn: shaders/wave_block.glsl has no room for more.
-inline constexpr std::size_t most_long_waves = 100;
+// Around the whole planet: shaders/wave_block.glsl has no room for more.
+inline constexpr int most_long_waves = 100;
 
 struct Sea {
   // Those that are long beside the planet run around all of it, and so do all over a ground that is no nodes.
@@ -48,11 +48,11 @@ struct Sea {
 // which are so many that they never meet, six standard deviations of that sum do.
 Sea make_sea(const Scene& scene, double seconds);
 
+// Whether waves, if there are any, change with time.
+bool waves_run(const Scene& scene);
+
 // The wave as a region (0..regions - 1) has it.
 f64::Wave in_region(const RegionalWave& wave, int region);
-
-// Waves of a place (unit direction), each as strong as its region is there; not yet held by the ground.
-f64::WaveSum waves_at(const Sea& sea, const glm::dvec3& place, const f64::Frame& frame);
 
 // Length (planet radii) of the longest wave; 0 where there are none.
 double longest_wave(const Sea& sea);

@@ -16,7 +16,7 @@ constexpr double tension = 7.3e-5;
 // The inverse of a function that rises from one end of a span to the other.
 template <class Function>
 double where_it_is(double value, double from, double to, const Function& rising) {
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (from + to);
     (rising(middle) < value ? from : to) = middle;
   }

@@ -45,6 +45,8 @@ constexpr int reads_to_show = 1, reads_to_smooth = 5;
 Scene scene_as_drawn(Scene scene, const Needs& needs) {
   scene.water.level = water_level(scene);
   if (needs.air == Air::none) scene.air.density = 0.0;
+  // A sea of waves has no others.
+  if (needs.hides_waves) scene.water.ripples = 0.0;
   return scene;
 }
 

@@ -96,6 +96,51 @@ TEST(SeaOfWind, IsOfOneBrightnessWhereRegionsMeet) {
   EXPECT_NEAR(brightness(44.0), beside, 0.03 * beside);
 }
 
+// Neither where nodes of different levels meet, whose vertices lie in the middle of their neighbours' edges, nor
+// elsewhere is anything seen but water.
+TEST(SeaOfWind, LeavesNoHole) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  Scene scene = find_preset("gale")->scene;
+  scene.camera.pitch = -36.0;
+  StillOptions options;
+  options.width = test::sanitized ? 96 : 960;
+  options.height = test::sanitized ? 54 : 540;
+  for (const Ground ground : ground_models()) {
+    scene.terrain.model = static_cast<int>(ground) - static_cast<int>(Ground::icosphere) + 2;
+    for (int n = 0; n < test::by_effort(40, 4, 1); ++n) {
+      scene.camera.altitude = scene.water.level + 8.0 * std::pow(1.5, n);
+      scene.camera.heading = 40.0 * n;
+      options.seconds = 7.0 * n;
+      const Image distance = take_measurement(renderer, scene, options, Channel::distance);
+      std::int64_t holes = 0;
+      for (std::size_t i = 0; i < distance.pixels.size(); i += 4) holes += std::isfinite(distance.pixels[i]) ? 0 : 1;
+      EXPECT_EQ(holes, 0) << name_of(ground) << ", " << n;
+    }
+  }
+}
+
+// As many whitecaps as it has from where its waves are just seen: a gale does not darken as it is left behind.
+TEST(SeaOfWind, IsAsWhiteWhereItsWavesAreNoLongerDrawn) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  const auto brightness = [&](double height, Water expected) {
+    Scene scene = sea_of_wind(20.0, height, 160.0);
+    scene.terrain.height = 900.0;
+    scene.air.model = 0;
+    scene.camera.pitch = -90.0;
+    View view;
+    view.width = test::errors_width;
+    view.height = test::errors_height;
+    EXPECT_EQ(needs_of(scene, view, pose_of(scene, view)).water, expected);
+    return mean_of_light(test::light_of(scene, renderer));
+  };
+  const double drawn = brightness(8e3, Water::waves), hidden = brightness(60e3, Water::calm);
+  EXPECT_NEAR(hidden, drawn, 0.1 * drawn);
+}
+
 // Whatever a scene asks for is drawn finite.
 TEST(SeaOfWind, IsFiniteAtTheExtremes) {
   const auto context = EglContext::make(Api::core);

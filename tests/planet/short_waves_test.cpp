@@ -29,6 +29,18 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+// Waves of a place, each as strong as its region is there.
+f64::WaveSum waves_at(const Sea& sea, const glm::dvec3& place, const f64::Frame& frame) {
+  f64::WaveSum sum = f64::no_waves();
+  const glm::dvec3 parts = f64::parts_of_regions(place);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (parts[axis] <= 0.0) continue;
+    for (const RegionalWave& wave : sea.short_waves)
+      f64::add_wave(sum, place, frame, in_region(wave, 2 * axis + (place[axis] < 0.0 ? 1 : 0)), parts[axis]);
+  }
+  return sum;
+}
+
 TEST(Regions, AreFarFromTheOriginsOfTheirWaves) {
   test::Places places(5U);
   const Sea sea = make_sea(windy(earth, 0.3), 0.0);
