@@ -30,9 +30,9 @@ WaveBlock wave_block(const Sea& sea) {
 }
 
 // The first short wave that vertices of nodes don't carry. spacing: of vertices, rad; of deep nodes every second is
-// drawn. Straight lines between twelve of them in a wave miss it by less than a thirtieth.
+// drawn. Straight lines between eight of them in a wave miss it by a thirteenth at the most.
 int first_not_carried(const Sea& sea, double spacing) {
-  constexpr double vertices_a_wave = 12.0, drawn_apart = 2.0;
+  constexpr double vertices_a_wave = 8.0, drawn_apart = 2.0;
   const double last = 2.0 * std::numbers::pi / (vertices_a_wave * drawn_apart * spacing);
   const auto first = std::find_if(sea.short_waves.begin(), sea.short_waves.end(),
                                   [&](const RegionalWave& wave) { return wave.wavenumber > last; });
