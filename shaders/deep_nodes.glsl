@@ -1,8 +1,5 @@
 // A sea over nodes whose ground lies so deep that nothing of it is seen.
 #include "water_surface.glsl"
-#include "lib/waves.glsl"
-
-vec3 water_place();
 
 float depth_below(vec3 up) { return 1.0; }
 

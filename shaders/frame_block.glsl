@@ -11,8 +11,8 @@ layout(std140) uniform FrameBlock {
   vec4 ground_map_scale;   // x: angle of a texel; y, z: first and end of the octaves computed per pixel; w: 1 if water hides the ground under it
   vec4 cloud_turn;         // x, y: cosine and sine of the drift; z: level of their map that pixels can show; w: 1 if there are clouds
   vec4 cloud_moments;      // xyz: weights of the moments that the map of the clouds holds
-  vec4 sea;                // x: radius; y: most that waves rise over it; z: number of waves; w: depth at which they are whole
-  vec4 ripple;             // x: steepness, 0 where there are none; y: edge of the sea's mesh, rad; z: variance of the slopes of waves that are not drawn as such; w: amplitude of one that is as high as all together, radii
+  vec4 sea;                // x: radius; y: amplitude of one wave that is as high as all together, radii; z: number of waves that run around the planet; w: depth at which they are whole
+  vec4 ripple;             // x: steepness, 0 where there are none; y: edge of the sea's mesh, rad; z: variance of the slopes of waves that are not drawn as such
   vec4 ripple_turn;        // x, y: cosine and sine of the angle by which the first layer's gradients are turned; z: layers
   vec4 water_extinction;   // xyz: of light in water, per radius
   vec4 levels;             // x: sine of the latitude from which snow lies at the water's edge, above 1: nowhere; y: lift of the water's mesh, radii, or of nodes parts of the distance; z: level of the map of the ground that pixels can show; w: most that the sea of nodes is lifted, radii

@@ -15,8 +15,7 @@ float depth_below(vec3 up) {
 
 float wave_part_over_ground(float depth) { return left_by_ground(depth, sea.w); }
 WaveSum waves_over_ground(WaveSum sum, Frame f, float depth) {
-  vec2 slope = vec2(dot(ground_here.gradient, f.east), dot(ground_here.gradient, f.north));
-  return held_by_ground(sum, depth, slope, sea.w);
+  return held_in_frame(sum, f, depth, ground_here.gradient, sea.w);
 }
 
 // Nodes know nothing of their neighbours: right below is near enough.

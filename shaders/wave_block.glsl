@@ -20,16 +20,11 @@ void add_long_wave(inout WaveSum sum, inout float unseen, vec3 v, Frame f, int i
   add_wave(sum, v, f, wave, shown);
 }
 
-// Waves as they are over a ground. ground_slope: gradient of its height.
-WaveSum held_in_frame(WaveSum sum, Frame f, float depth, vec3 ground_slope) {
-  return held_by_ground(sum, depth, vec2(dot(ground_slope, f.east), dot(ground_slope, f.north)), sea.w);
-}
-
 // The sum of all waves at v that samples a footprint (rad) apart can show, held by the ground. map: of the ground at v.
 WaveSum waves_at(vec3 v, Frame f, float footprint, vec4 map) {
   WaveSum sum = no_waves();
   float unseen = 0.0;
   int count = int(sea.z);
   for (int i = 0; i < count; ++i) add_long_wave(sum, unseen, v, f, i, footprint);
-  return held_in_frame(sum, f, -map.w, map.xyz);
+  return held_in_frame(sum, f, -map.w, map.xyz, sea.w);
 }

@@ -9,5 +9,5 @@ void main() {
   vec4 map = textureLod(ground_map, up, levels.z);
   Frame frame = frame_at(up);
   WaveSum sum = waves_at(up, frame, pixel_footprint(up, surface_from_eye, 0.2), map);
-  emit_water(wavy_water(up, -map.w, sum, frame, max(ripple.w, 1.0e-9), sea.w, water_look()), up, sum.height);
+  emit_water(wavy_water(up, -map.w, sum, frame, max(sea.y, 1.0e-9), sea.w, water_look()), up, sum.height);
 }

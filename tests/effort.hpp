@@ -23,4 +23,7 @@ inline int by_effort(int all, int usual, int under_sanitizers) {
 
 inline int by_effort(int all, int usual) { return by_effort(all, usual, usual); }
 
+// Whether measured figures are printed (TERRELLA_PRINT=1).
+inline bool prints() { return std::getenv("TERRELLA_PRINT") != nullptr; }
+
 }  // namespace terrella::test

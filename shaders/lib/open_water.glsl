@@ -14,12 +14,18 @@ struct Breaking {
   float choppiness;  // Q: what a slope's deviation is to be multiplied by for that of the Jacobian
 };
 
+// Part of the water that is foam where the surface has a Jacobian, but for waves that are not shown, whose slopes have a
+// variance.
+float broken_part(float jacobian, float unseen, Breaking breaking) {
+  float doubt = sqrt(breaking.softness * breaking.softness + breaking.choppiness * breaking.choppiness * unseen);
+  return part_below((breaking.fold - jacobian) / doubt);
+}
+
 // A sea whose waves are shown in part. up: unit, of the still water; to_eye: unit; unseen: variance of the slopes of those that are not
 // shown, which roughens the water and folds it by chance; whole_depth: at which waves are whole.
 Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, float unseen, Breaking breaking, float whole_depth, WaterLook look) {
   vec3 n = wave_normal(sum);
-  float doubt = sqrt(breaking.softness * breaking.softness + breaking.choppiness * breaking.choppiness * unseen);
-  float broken = part_below((breaking.fold - n.z) / doubt);
+  float broken = broken_part(n.z, unseen, breaking);
   float shore = 1.0 - smoothstep(0.05, 0.35, depth / whole_depth);
   float own = look.roughness * look.roughness;
   n = normalize(n);

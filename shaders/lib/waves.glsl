@@ -114,6 +114,11 @@ WaveSum held_by_ground(WaveSum sum, float depth, vec2 ground_slope, float whole_
   return attenuate(sum, left_by_ground(depth, whole_depth), -6.0 * x * (1.0 - x) / whole_depth * ground_slope);
 }
 
+// The same where the ground's slope is told as the gradient of its height, in the axes that the frame has.
+WaveSum held_in_frame(WaveSum sum, Frame frame, float depth, vec3 gradient, float whole_depth) {
+  return held_by_ground(sum, depth, vec2(dot(gradient, frame.east), dot(gradient, frame.north)), whole_depth);
+}
+
 // Where the water of v has gone: the offset from a still sea of the given radius (14).
 vec3 wave_offset(vec3 v, Frame frame, WaveSum sum) {
   return sum.height * v + sum.shift.x * frame.east + sum.shift.y * frame.north;

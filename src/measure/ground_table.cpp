@@ -163,7 +163,7 @@ GroundMeasured measured_ground(const Scene& scene, const View& view) {
   measured.seen = spread_of_errors(errors, &NodeError::seen);
   measured.upright = spread_of_errors(errors, &NodeError::upright);
   measured.ground = node_counts(picture, NodeLayer::ground);
-  measured.sea = node_counts(picture, NodeLayer::sea);
+  measured.sea = node_counts(picture, NodeLayer::sea) + node_counts(picture, NodeLayer::deep_sea);
   measured.seen_triangles = seen_triangles(picture);
   measured.coarse_triangles = coarse_triangles(picture);
   measured.made = picture.made();

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "measure/stability.hpp"
 #include "measure/trials.hpp"
+#include "scene/choices.hpp"
 #include "scene/parameters.hpp"
 #include "scene/presets.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 Invariance scaled_by(Renderer& renderer, const char* preset, double factor, double bound) {
   Scene scene = cheap(preset);
-  scene.waves.spectrum = 0;  // a wind's waves are as long on any planet
+  scene.waves.spectrum = choice("waves.spectrum", "free");  // a wind's waves are as long on any planet
   const std::vector<float> as_it_is = light_of(renderer, scene, small_view());
   const std::vector<float> scaled_up = light_of(renderer, scaled(scene, factor), small_view());
   return {text_of(preset, ", all lengths times ", factor), "largest difference of light",

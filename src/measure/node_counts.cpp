@@ -21,6 +21,11 @@ ListCount count_of(const std::vector<std::uint16_t>& triangles) {
 
 }  // namespace
 
+NodeCounts operator+(const NodeCounts& a, const NodeCounts& b) {
+  return {a.nodes + b.nodes, a.vertices + b.vertices, a.triangles + b.triangles, a.skirt_vertices + b.skirt_vertices,
+          a.skirt_triangles + b.skirt_triangles};
+}
+
 NodeCounts node_counts(const NodePicture& picture, NodeLayer layer) {
   NodeCounts counts;
   for (const DrawnNode& drawn : picture.drawn()) {

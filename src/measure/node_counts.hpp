@@ -14,6 +14,8 @@ struct NodeCounts {
   std::int64_t skirt_vertices = 0, skirt_triangles = 0;  // what skirts add
 };
 
+NodeCounts operator+(const NodeCounts& a, const NodeCounts& b);
+
 NodeCounts node_counts(const NodePicture& picture, NodeLayer layer);
 
 // Of the ground's triangles without skirts those that turn to the eye and lie in the picture, and have neither

@@ -29,8 +29,7 @@ double finest_seen(const Frame& frame, const Maps& maps) {
 // Part of a sea whose waves are not drawn that they whiten.
 double white_from_afar(const Needs& needs, const Sea& sea) {
   if (needs.water != Water::calm || sea.is_calm()) return 0.0;
-  const double deviation = std::hypot(sea.breaking.softness, sea.breaking.choppiness * std::sqrt(sea.slope_variance));
-  return f64::part_below((sea.breaking.fold - 1.0) / deviation);
+  return f64::broken_part(1.0, sea.slope_variance, sea.breaking);
 }
 
 }  // namespace
@@ -97,11 +96,10 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
                                      needs.water == Water::none ? 0.0 : 1.0);
   block.cloud_turn = glm::vec4(drift, maps.cloud_level, needs.clouds == Clouds::none ? 0.0 : 1.0);
   block.cloud_moments = vector(maps.cloud_moments);
-  block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.highest,
-                        std::min(static_cast<double>(sea.waves.size()), static_cast<double>(most_long_waves)),
+  block.sea = glm::vec4(has_water(scene) ? water_radius(scene) : 1.0, sea.amplitude, drawn_long_waves(sea),
                         whole_wave_depth(sea));
   block.ripple = glm::vec4(needs.ripple_layers > 0 ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
-                           needs.water == Water::calm ? sea.slope_variance : 0.0, sea.amplitude);
+                           needs.water == Water::calm ? sea.slope_variance : 0.0, 0.0);
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);
   block.water_extinction = vector(water_look_of(scene).extinction);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);

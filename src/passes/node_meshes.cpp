@@ -37,12 +37,14 @@ glm::vec4 vector(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v,
 void NodeMeshes::start_anew(const Frame& frame) {
   terrain_ = exact_terrain_of(frame.scene);
   cache_.clear();
+  details_.reset();
   gl::HeightTexture::keep(heights_, terrain_->map.map);
 }
 
 void NodeMeshes::make_room(const NodeGrid& grid, int cells) {
   if (patch_.cells == cells) return;
   patch_ = grid.patch(cells);
+  details_.reset();
   const auto count = patch_.vertices.size();
   const int vertices_of_each = static_cast<int>(count), room = node_room(vertices_of_each);
   const int beside = (room + most_node_rows - 1) / most_node_rows;
@@ -130,7 +132,7 @@ void NodeMeshes::pack(const Frame& frame) {
   const double sea_level = water_level(frame.scene) / frame.scene.planet.radius;
   instances_.clear();
   const int beyond_map = first_layer(frame.scene);
-  const NodeDetails details = details_of(frame.scene, *grid_, patch_.cells);
+  if (!details_) details_ = details_of(frame.scene, *grid_, patch_.cells);
   const auto add = [&](const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
     const glm::dvec3& middle = entry.frame.outline.middle;
@@ -148,7 +150,7 @@ void NodeMeshes::pack(const Frame& frame) {
   };
   const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
     const NodeCache::Entry& entry = cache_.at(drawn.slot);
-    return shows(layer, entry.frame, details.at(static_cast<std::size_t>(entry.node.level)), sight_);
+    return shows(layer, entry.frame, details_->at(static_cast<std::size_t>(entry.node.level)), sight_);
   };
   for (const NodeLayer layer : {NodeLayer::ground, NodeLayer::sea, NodeLayer::deep_sea}) {
     auto& runs = runs_.at(static_cast<std::size_t>(layer));

@@ -82,6 +82,7 @@ class NodeMeshes {
   NodePatch patch_;
   int rows_ = 0;  // of the textures
   NodeRanges ranges_, sea_ranges_;
+  std::optional<NodeDetails> details_;  // of the relief and the patch
   std::optional<f64::Terrain> terrain_;
   std::optional<gl::HeightTexture> heights_;  // of its map
   std::array<std::unique_ptr<gl::Image>, node_formats.size()> textures_;

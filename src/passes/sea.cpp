@@ -11,17 +11,15 @@
 namespace terrella {
 namespace {
 
-constexpr auto room_for_waves = static_cast<std::size_t>(most_long_waves);
-
 // As in shaders/wave_block.glsl, std140.
 struct WaveBlock {
-  std::array<glm::vec4, room_for_waves> origin;
-  std::array<glm::vec4, room_for_waves> motion;
+  std::array<glm::vec4, most_long_waves> origin;
+  std::array<glm::vec4, most_long_waves> motion;
 };
 
 WaveBlock wave_block(const Sea& sea) {
   WaveBlock block{};
-  for (std::size_t i = 0; i < std::min(sea.waves.size(), room_for_waves); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(drawn_long_waves(sea)); ++i) {
     const f64::Wave& wave = sea.waves[i];
     block.origin.at(i) = glm::vec4(glm::dvec4(wave.origin, wave.amplitude));
     block.motion.at(i) = glm::vec4(wave.wavenumber, wave.phase, wave.pinch, 0.0);

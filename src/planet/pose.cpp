@@ -87,10 +87,9 @@ double highest_sea(const Scene& scene, double ground) {
   return still + highest * glm::smoothstep(0.0, whole_wave_depth(sea), depth);
 }
 
-// Radius of the water as short waves raise or lower it at a moment, on the highest of the long ones.
-double water_of_short_waves(const Scene& scene, const glm::dvec3& direction, double seconds) {
+// Radius of the water as short waves raise or lower it, on the highest of the long ones. sea: at a moment.
+double water_of_short_waves(const Scene& scene, const Sea& sea, const glm::dvec3& direction) {
   const double still = water_radius(scene), ground = has_ground(scene) ? ground_below(scene, direction) : 1.0;
-  const Sea sea = make_sea(scene, seconds);
   const double depth = has_ground(scene) ? still - ground : whole_wave_depth(sea);
   return highest_sea(scene, ground) +
          f64::left_by_ground(depth, whole_wave_depth(sea)) * water_over(near_waves(sea, direction));
@@ -154,10 +153,12 @@ Pose pose_of(const Scene& scene, const View& view) {
   const glm::dvec3 below = direction_below(scene);
   const double surface = surface_radius(scene, below);
   Pose pose = pose_over(surface, scene, view);
+  if (!has_real_size || !has_water(scene)) return pose;
   // Eyes between crests and troughs stay over the water, but are not raised for good.
-  if (has_real_size && has_water(scene) && pose.clearance <= sea_top(scene) - water_radius(scene)) {
+  const Sea sea = make_sea(scene, view.seconds);
+  if (!sea.short_waves.empty() && pose.clearance <= sea.highest) {
     const bool raised = pose.raised;
-    pose = pose_over(std::max(surface, water_of_short_waves(scene, below, view.seconds)), scene, view);
+    pose = pose_over(std::max(surface, water_of_short_waves(scene, sea, below)), scene, view);
     pose.raised = raised;
   }
   return pose;
@@ -218,11 +219,10 @@ double ice_top(const Scene& scene) {
   return water_radius(scene) + f64::ice_thickness(scene.terrain.height / scene.planet.radius);
 }
 
-double sea_top(const Scene& scene) {
-  return has_water(scene) ? water_radius(scene) + make_sea(scene, 0.0).highest : 1.0;
+double relief_top(const Scene& scene) {
+  const double top = std::max(ground_top(scene), ice_top(scene));
+  return has_water(scene) ? std::max(top, water_radius(scene) + make_sea(scene, 0.0).highest) : top;
 }
-
-double relief_top(const Scene& scene) { return std::max({ground_top(scene), ice_top(scene), sea_top(scene)}); }
 
 double top_radius(const Scene& scene) {
   const double top = relief_top(scene);

@@ -83,9 +83,6 @@ double ground_top(const Scene& scene);
 // As high as ice on the sea can rise, radii; 1 where there is none.
 double ice_top(const Scene& scene);
 
-// As high as crests of the sea can rise, radii; 1 where there is none.
-double sea_top(const Scene& scene);
-
 // The highest that ground, ice and sea rise, radii.
 double relief_top(const Scene& scene);
 

@@ -38,7 +38,7 @@ NearWaves near_waves(const Sea& sea, const glm::dvec3& eye) {
   for (int axis = 0; axis < 3; ++axis) {
     // Where parts_of_regions begin, and as much further as that may change on the way.
     if (size[axis] / most < 0.95 - 2.0 * reach) continue;
-    const int region = 2 * axis + (near.anchor[axis] < 0.0 ? 1 : 0);
+    const int region = region_around(axis, near.anchor);
     auto& waves = near.waves.at(static_cast<std::size_t>(axis));
     for (const RegionalWave& wave : sea.short_waves)
       waves.push_back(seen_from(in_region(wave, region), near.anchor, near.axes));

@@ -116,9 +116,9 @@ void judge_clouds(const Scene& scene, const Pose& pose, const Needs& needs, std:
 
 // That run around the whole planet.
 void judge_number_of_waves(const Scene& scene, const Needs& needs, std::vector<Issue>& issues) {
-  const auto around = static_cast<int>(make_sea(scene, 0.0).waves.size());
-  const bool all = has_nodes(needs.ground) ? around <= most_long_waves : scene.waves.count <= most_long_waves;
-  if (needs.water != Water::waves || all) return;
+  if (needs.water != Water::waves) return;
+  const int around = has_nodes(needs.ground) ? static_cast<int>(make_sea(scene, 0.0).waves.size()) : scene.waves.count;
+  if (around <= most_long_waves) return;
   issues.push_back({"waves.count",
                     text_of("no more than ", most_long_waves, " waves run around a whole planet; more are left out.")});
 }
@@ -135,7 +135,7 @@ void judge_waves(const Scene& scene, const Pose& pose, const Needs& needs, std::
   const bool shows = std::sqrt(missed_squares) > waves_missed * scene.quality.pixel_error * pixel_of_height(pose);
   if (!shows || shortest >= least) return;
   const double radius = scene.planet.radius;
-  issues.push_back({scene.waves.spectrum == 0 ? "waves.length" : "waves.shortest",
+  issues.push_back({is_of_wind(scene) ? "waves.shortest" : "waves.length",
                     text_of("the shortest of the waves have ", number(shortest * radius),
                             " m, which is less than the mesh of the sea can raise; it does from ",
                             number(least * radius), " m on, shorter ones are flat and only shaded.")});
@@ -156,10 +156,9 @@ void judge_water(const Scene& scene, const View& view, const Pose& pose, const N
   }
   // Shorter waves are slower, but turn faster: by the root of their length, of which the shortest have a sixth.
   const auto& w = scene.waves;
-  const bool is_of_wind = w.spectrum != 0;
   const double turns_at_once = std::abs(view.seconds) * 2.0 * std::numbers::pi / w.length;
   const double fastest = most_phase / std::max(1e-300, turns_at_once * std::sqrt(w.count > 1 ? 6.0 : 1.0));
-  if (waves && !is_of_wind && w.speed > fastest) {
+  if (waves && !is_of_wind(scene) && w.speed > fastest) {
     issues.push_back(
         {"waves.speed", text_of(number(w.speed), " m/s is more than can be followed for ", number(view.seconds),
                                 " s; up to ", number(fastest), " m/s waves of this length move as they should.")});

@@ -11,22 +11,21 @@
 #include "planet/needs.hpp"
 #include "planet/real_size.hpp"
 #include "planet/wind_sea.hpp"
+#include "scene/choices.hpp"
 
 namespace terrella {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
-// Places in the choice lists of params.inc.
-enum : int { water_calm = 2, spectrum_wind = 1 };
-
-bool is_of_wind(const Scene& scene) { return scene.waves.spectrum == spectrum_wind; }
-
 // Just under the sum at which the surface folds.
 constexpr double most_pinch = 0.95;
 
-// Of a normal distribution one in a thousand million lies further from its mean.
-constexpr double most_deviations = 6.0;
+// How much stronger waves are together where three regions meet.
+constexpr double meeting_regions = std::numbers::sqrt3;
+
+// Six standard deviations of a sum of waves of random phases. squares: sum of those of their sizes.
+double unlikely(double squares) { return 6.0 * std::sqrt(0.5 * squares); }
 
 // Waves with more of them in a radian of arc (times a turn) are short, over a ground of nodes: single precision knows
 // the phases of others from the direction of a place, and a miniature is never seen from so near.
@@ -116,19 +115,6 @@ glm::dvec3 north_of(int region) {
 
 double reduced(double phase) { return std::remainder(phase, turn); }
 
-// How waves of different lengths, each of them as steep as it may be, meet.
-struct Sums {
-  double amplitude = 0.0, slope = 0.0;
-  double squares = 0.0, slope_squares = 0.0;
-
-  void add(double wave_amplitude, double wavenumber) {
-    amplitude += wave_amplitude;
-    slope += wave_amplitude * wavenumber;
-    squares += wave_amplitude * wave_amplitude;
-    slope_squares += std::pow(wave_amplitude * wavenumber, 2);
-  }
-};
-
 // A scene's sea at time 0, and how fast its waves turn (rad/s).
 struct SeaShape {
   Sea sea;
@@ -149,16 +135,19 @@ SeaShape shape_of(const Scene& scene, bool has_regions) {
   sea.amplitude = (wind ? std::sqrt(squares) : from.amplitude) / radius;
   const double scale = sea.amplitude / std::sqrt(squares);
 
-  Sums all, of_short;
+  Together slopes, short_heights, short_slopes;
+  double long_heights = 0.0;
   for (const AskedWave& wave : asked) {
     const double amplitude = scale * wave.amplitude, wavenumber = turn * radius / wave.length;
-    all.add(amplitude, wavenumber);
+    slopes.add(amplitude * wavenumber);
     if (!has_regions || wavenumber < longest_short) {
       sea.waves.push_back({wave.origin, amplitude, wavenumber, wave.start, 0.0});
       shape.frequencies.push_back(wave.frequency);
+      long_heights += amplitude;
       continue;
     }
-    of_short.add(amplitude, wavenumber);
+    short_heights.add(amplitude);
+    short_slopes.add(amplitude * wavenumber);
     const double heading = glm::radians(from.direction) + std::numbers::pi + wave.heading;
     RegionalWave regional = {amplitude, wavenumber, 0.0, heading, {}};
     for (double& phase : regional.phases) phase = turn * uniform(random);
@@ -166,19 +155,15 @@ SeaShape shape_of(const Scene& scene, bool has_regions) {
     shape.short_frequencies.push_back(wave.frequency);
   }
 
-  // Where three regions meet, each has its waves there. So many waves as a wind raises never meet, so different are
-  // their lengths.
-  const double meeting = std::numbers::sqrt3 - 1.0;
-  const double most_slope = all.slope + meeting * of_short.slope;
-  const double unlikely_slope = most_deviations * std::sqrt(0.5 * all.slope_squares);
-  const double steepest = wind ? std::min(most_slope, unlikely_slope) : most_slope;
+  // So many waves as a wind raises never meet, so different are their lengths.
+  const double most_slope = slopes.sum + (meeting_regions - 1.0) * short_slopes.sum;
+  const double steepest = wind ? std::min(most_slope, unlikely(slopes.squares)) : most_slope;
   sea.steepness = std::min(from.steepness, most_pinch / std::max(steepest, 1e-12));
   sea.held = sea.steepness < from.steepness;
   for (f64::Wave& wave : sea.waves) wave.pinch = sea.steepness * wave.amplitude;
   for (RegionalWave& wave : sea.short_waves) wave.pinch = sea.steepness * wave.amplitude;
-  sea.highest = (all.amplitude - of_short.amplitude) +
-                std::min((1.0 + meeting) * of_short.amplitude, most_deviations * std::sqrt(0.5 * of_short.squares));
-  sea.slope_variance = 0.5 * all.slope_squares;
+  sea.highest = long_heights + short_heights.most();
+  sea.slope_variance = 0.5 * slopes.squares;
   sea.breaking.choppiness = sea.steepness;
   if (wind) {
     // So that as much is white as that wind whitens: the Jacobian's deviation is about that of the slopes' sum.
@@ -200,11 +185,15 @@ struct Remembered {
 
 }  // namespace
 
+bool is_of_wind(const Scene& scene) { return scene.waves.spectrum == choice("waves.spectrum", "wind"); }
+
 bool waves_run(const Scene& scene) { return is_of_wind(scene) || scene.waves.speed > 0.0; }
 
 Sea make_sea(const Scene& scene, double seconds) {
   const auto& from = scene.waves;
-  if (scene.water.model == water_calm || from.count == 0 || (!is_of_wind(scene) && from.amplitude <= 0.0)) return {};
+  if (scene.water.model == choice("water.model", "calm") || from.count == 0 ||
+      (!is_of_wind(scene) && from.amplitude <= 0.0))
+    return {};
   static thread_local Remembered last;
   const bool has_regions = has_real_size && has_nodes(ground_technique(scene));
   if (!(last.waves == from) || last.radius != scene.planet.radius || last.has_regions != has_regions)
@@ -226,6 +215,12 @@ f64::Wave in_region(const RegionalWave& wave, int region) {
   const glm::dvec3 origin = -std::cos(wave.heading) * north - std::sin(wave.heading) * east;
   return {origin, wave.amplitude, wave.wavenumber, wave.phases.at(static_cast<std::size_t>(region)), wave.pinch};
 }
+
+int drawn_long_waves(const Sea& sea) { return std::min(static_cast<int>(sea.waves.size()), most_long_waves); }
+
+double Together::most() const { return std::min(meeting_regions * sum, unlikely(squares)); }
+
+int region_around(int axis, const glm::dvec3& place) { return 2 * axis + (place[axis] < 0.0 ? 1 : 0); }
 
 double longest_wave(const Sea& sea) {
   double least = sea.short_waves.empty() ? 0.0 : sea.short_waves.front().wavenumber;

@@ -48,8 +48,30 @@ struct Sea {
 // which are so many that they never meet, six standard deviations of that sum do.
 Sea make_sea(const Scene& scene, double seconds);
 
+// Whether a wind raises the scene's waves.
+bool is_of_wind(const Scene& scene);
+
 // Whether waves, if there are any, change with time.
 bool waves_run(const Scene& scene);
+
+// How many of the waves that run around the planet are drawn.
+int drawn_long_waves(const Sea& sea);
+
+// What the short waves of a sea come to together, each with its size: where three regions meet, all have their waves
+// there, but waves so many and so different never meet.
+struct Together {
+  double sum = 0.0, squares = 0.0;
+
+  void add(double size) {
+    sum += size;
+    squares += size * size;
+  }
+  // Six standard deviations at the most, which one in a thousand million exceeds.
+  [[nodiscard]] double most() const;
+};
+
+// The region around an axis (0..2) that a place lies next to.
+int region_around(int axis, const glm::dvec3& place);
 
 // The wave as a region (0..regions - 1) has it.
 f64::Wave in_region(const RegionalWave& wave, int region);

@@ -1,7 +1,6 @@
 #include "reference/sea.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -36,16 +35,13 @@ Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
     for (const RegionalWave& wave : sea_.short_waves)
       short_waves_.at(static_cast<std::size_t>(region)).push_back(in_region(wave, region));
   }
-  // As in Sea::highest.
-  double shifts = 0.0, bends = 0.0, shift_squares = 0.0, bend_squares = 0.0;
+  Together shifts, bends;
   for (const RegionalWave& wave : sea_.short_waves) {
-    shifts += wave.pinch;
-    bends += bend(wave);
-    shift_squares += 0.5 * wave.pinch * wave.pinch;
-    bend_squares += 0.5 * bend(wave) * bend(wave);
+    shifts.add(wave.pinch);
+    bends.add(bend(wave));
   }
-  most_shift_ += std::min(std::numbers::sqrt3 * shifts, 6.0 * std::sqrt(shift_squares));
-  most_curvature_ += std::min(std::numbers::sqrt3 * bends, 6.0 * std::sqrt(bend_squares));
+  most_shift_ += shifts.most();
+  most_curvature_ += bends.most();
   most_squeeze_ = sea_.steepness * most_curvature_;
 }
 
@@ -63,8 +59,8 @@ void Sea::each_wave(const glm::dvec3& direction, double distance, const Function
     if (parts[axis] <= 0.0 &&
         size < 0.95 * std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}))
       continue;
-    const int region = 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
-    for (const f64::Wave& wave : short_waves_.at(static_cast<std::size_t>(region))) function(wave, parts[axis], most);
+    const auto region = static_cast<std::size_t>(region_around(axis, direction));
+    for (const f64::Wave& wave : short_waves_.at(region)) function(wave, parts[axis], most);
   }
 }
 
@@ -85,13 +81,13 @@ WaterAt Sea::from(const glm::dvec3& still, bool deep) const {
   at.still = still;
   at.frame = f64::frame_at(still);
   at.depth = ground_ == nullptr ? bottomless : whole_depth_;
-  glm::dvec2 slope(0.0);
+  glm::dvec3 gradient(0.0);
   if (!deep) {
     const f64::Height ground = ground_->height_at(still);
     at.depth = radius_ - 1.0 - ground.value;
-    slope = {glm::dot(ground.gradient, at.frame.east), glm::dot(ground.gradient, at.frame.north)};
+    gradient = ground.gradient;
   }
-  at.sum = f64::held_by_ground(whole_sum(still, at.frame), at.depth, slope, whole_depth_);
+  at.sum = f64::held_in_frame(whole_sum(still, at.frame), at.frame, at.depth, gradient, whole_depth_);
   at.place = still * radius_ + f64::wave_offset(still, at.frame, at.sum);
   return at;
 }

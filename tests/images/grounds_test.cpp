@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -114,8 +113,6 @@ double relief_in_the_middle(const Image& height) {
   return double{highest} - double{lowest};
 }
 
-bool prints() { return std::getenv("TERRELLA_PRINT") != nullptr; }
-
 // Draws the scene by each ground. name: of it, to print.
 void expect_likeness(const char* name, const Scene& scene, const test::Exact& exact, const Likeness& likeness) {
   std::vector<Image> pictures;
@@ -124,7 +121,8 @@ void expect_likeness(const char* name, const Scene& scene, const test::Exact& ex
     Renderer renderer;
     const test::Errors errors = errors_of(drawn, renderer, exact);
     pictures.push_back(test::cut_off(test::light_of(drawn, renderer)));
-    if (prints()) std::printf("%-26s%-16s %s\n", name, std::string(name_of(ground)).c_str(), text_of(errors).c_str());
+    if (test::prints())
+      std::printf("%-26s%-16s %s\n", name, std::string(name_of(ground)).c_str(), text_of(errors).c_str());
     ASSERT_TRUE(std::isfinite(errors.psnr) && std::isfinite(errors.flip));
     EXPECT_GE(errors.psnr, likeness.psnr) << name_of(ground);
     EXPECT_LE(errors.flip, likeness.flip) << name_of(ground);
@@ -134,7 +132,7 @@ void expect_likeness(const char* name, const Scene& scene, const test::Exact& ex
   }
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const double same = psnr(pictures[i], pictures[(i + 1) % pictures.size()]);
-    if (prints()) std::printf("%-26seach other %.1f dB\n", name, same);
+    if (test::prints()) std::printf("%-26seach other %.1f dB\n", name, same);
     EXPECT_GE(same, likeness.each_other);
   }
 }
@@ -169,7 +167,7 @@ TEST_P(Grounds, ShowTheSamePicture) {
   const Scene scene = real_ground(place);
   const test::Exact exact(scene);
   const double relief = relief_in_the_middle(exact.geometry.height);
-  if (prints()) std::printf("%-26srelief %.0f m\n", place.name, relief);
+  if (test::prints()) std::printf("%-26srelief %.0f m\n", place.name, relief);
   EXPECT_GE(relief, place.relief);
   expect_likeness(place.name, scene, exact, place.likeness);
 }
@@ -222,7 +220,7 @@ TEST(GroundsWithCraters, ShowThemFromOrbitToTheRimOfOne) {
       const Scene drawn = with_ground(scene, ground);
       Renderer renderer;
       const test::Errors errors = errors_of(drawn, renderer, exact);
-      if (prints())
+      if (test::prints())
         std::printf("craters %-10g%-16s %s\n", view.clearance, std::string(name_of(ground)).c_str(),
                     text_of(errors).c_str());
       ASSERT_TRUE(std::isfinite(errors.psnr));

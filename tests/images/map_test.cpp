@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "height_maps.hpp"
 #include "images/bare_ground.hpp"
@@ -64,8 +63,7 @@ void expect_near_the_reference(const Scene& scene, const Place& place, const cha
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
   const test::Errors errors = test::errors_of(scene, renderer, test::Exact(scene));
-  if (std::getenv("TERRELLA_PRINT") != nullptr)
-    std::printf("%-20s %-16s %s\n", place.name, ground, text_of(errors).c_str());
+  if (test::prints()) std::printf("%-20s %-16s %s\n", place.name, ground, text_of(errors).c_str());
   if (test::sanitized) return;  // floors are those of larger pictures
   EXPECT_GE(errors.psnr, place.psnr) << ground;
   EXPECT_LE(errors.flip, place.flip) << ground;
@@ -127,7 +125,7 @@ TEST(MapOfItself, IsTheSamePlanet) {
   scene.terrain.map = {};
   scene.planet.seed = 2;
   const double other = psnr(picture(), own);
-  if (std::getenv("TERRELLA_PRINT") != nullptr) std::printf("of itself %.1f dB, another %.1f dB\n", same, other);
+  if (test::prints()) std::printf("of itself %.1f dB, another %.1f dB\n", same, other);
   EXPECT_GT(same, 31.4);
   EXPECT_LT(other, 12.0);
 }

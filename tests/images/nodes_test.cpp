@@ -231,7 +231,7 @@ TEST_P(NodesInPictures, ShowEveryMillimetreOfAWalk) {
       }
     }
     ASSERT_GT(trembles.size(), 1000U) << radius;
-    if (std::getenv("TERRELLA_PRINT") != nullptr) {
+    if (test::prints()) {
       std::printf("radius %g: moves %.2e m, trembles %.2e m, nine tenths below %.2e\n", radius, part_of(moves, 0.5),
                   part_of(trembles, 0.5), part_of(trembles, 0.9));
     }
@@ -355,7 +355,6 @@ TEST_P(NodesInPictures, DoNotPopInADescent) {
   // Measured over all 1,535 pictures: in one of a thousand pixels of the quadtree's descent 0.56, of triangles 0.48. Of
   // single pictures 3.03 and 1.6, where pixels graze snow; 21 of the quadtree's have more than 2, none of the others'.
   constexpr double allowed_in_all = 0.7, allowed_of_one = 3.2;
-  const bool prints = std::getenv("TERRELLA_PRINT") != nullptr;
   const View view = part_of_a_picture();
   for (const char* preset : {"blue", "dunes"}) {
     Renderer renderer;
@@ -374,7 +373,7 @@ TEST_P(NodesInPictures, DoNotPopInADescent) {
           changes(picture_for(renderer, scene, view, before), picture_for(renderer, scene, view, now));
       EXPECT_LT(part_of(changed, 0.999), allowed_of_one) << preset << " " << altitude;
       of_all.insert(of_all.end(), changed.begin(), changed.end());
-      if (prints)
+      if (test::prints())
         std::printf("%-6s %10.3g m: %6.2f %6.2f most %6.2f split %.2f cells %d\n", preset, altitude,
                     part_of(changed, 0.99), part_of(changed, 0.999), part_of(changed, 1.0),
                     renderer.needs().ground_split, renderer.needs().ground_cells);
@@ -411,7 +410,7 @@ TEST_P(NodesInPictures, DoNotPopInALiveDescent) {
     most = std::max(most, part_of(changed, 0.999));
     of_all.insert(of_all.end(), changed.begin(), changed.end());
   }
-  if (std::getenv("TERRELLA_PRINT") != nullptr) std::printf("%.2f, %.2f\n", part_of(of_all, 0.999), most);
+  if (test::prints()) std::printf("%.2f, %.2f\n", part_of(of_all, 0.999), most);
   EXPECT_LT(part_of(of_all, 0.999), 0.5);  // measured: quadtree 0.43, triangles 0.42
   EXPECT_LT(most, 2.0);                    // 1.92, 1.74
 }
@@ -472,7 +471,7 @@ TEST(PersistentGridInPictures, GivesWayToTheNextUnseen) {
       most_p99 = std::max(most_p99, part_of(changed, 0.99));
       most_p999 = std::max(most_p999, part_of(changed, 0.999));
     }
-    if (std::getenv("TERRELLA_PRINT") != nullptr)
+    if (test::prints())
       std::printf("%10.3g m: in all %6.2f %6.2f, each of %zu pictures %5.2f %5.2f\n", altitude, part_of(whole, 0.99),
                   part_of(whole, 0.999), pictures.size(), most_p99, most_p999);
     EXPECT_LT(most_p99, 0.75) << altitude;            // measured: 0.68 from the highest, 0.12 to 0.60 below

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -167,7 +166,7 @@ TEST_P(AgainstReference, IsWithinItsFloor) {
   Renderer renderer;
   const Case& wanted = GetParam();
   const Errors errors = errors_of(wanted.scene(), renderer, test::Exact(wanted.scene()));
-  if (std::getenv("TERRELLA_PRINT") != nullptr) std::printf("%-24s %s\n", wanted.name, text_of(errors).c_str());
+  if (test::prints()) std::printf("%-24s %s\n", wanted.name, text_of(errors).c_str());
   ASSERT_TRUE(std::isfinite(errors.psnr) && std::isfinite(errors.flip));
   EXPECT_GE(errors.psnr, wanted.psnr);
   EXPECT_LE(errors.flip, wanted.flip);
@@ -199,7 +198,7 @@ TEST_P(Refined, ComesCloserToTheReference) {
     scene.quality.ground_texels = scene.quality.cloud_texels = texels;
     Renderer renderer;
     all.push_back(errors_of(scene, renderer, test::Exact(scene)));
-    if (std::getenv("TERRELLA_PRINT") != nullptr)
+    if (test::prints())
       std::printf("%-24s %4.2f px, %4d texels: %s\n", wanted.name, pixel_error, texels, text_of(all.back()).c_str());
   }
   const Errors &first = all.front(), &middle = all[1], &last = all.back();
@@ -267,8 +266,7 @@ TEST(CloudsBlendedInTime, AreThoseOfTheReference) {
   const double interval = renderer.needs().cloud_interval;
   ASSERT_GT(interval, 0.0);
   const double at_step = psnr_at(3.0 * interval), between = psnr_at(3.5 * interval);
-  if (std::getenv("TERRELLA_PRINT") != nullptr)
-    std::printf("clouds at a step %.1f dB, between %.1f dB\n", at_step, between);
+  if (test::prints()) std::printf("clouds at a step %.1f dB, between %.1f dB\n", at_step, between);
   EXPECT_GT(between, at_step - 1.0);  // measured: 0.75
 }
 

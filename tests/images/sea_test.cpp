@@ -2,11 +2,10 @@
 // detail.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "images/reference_errors.hpp"
 #include "measure/ground_models.hpp"
 #include "native/egl_context.hpp"
+#include "scene/choices.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -28,7 +27,7 @@ Scene sea_of_wind(double wind, double height, double longitude) {
   scene.water.ripples = 0.0;
   scene.water.foam = 0.6;
   scene.waves.count = 20;
-  scene.waves.spectrum = 1;
+  scene.waves.spectrum = choice("waves.spectrum", "wind");
   scene.waves.wind = wind;
   scene.waves.shortest = 2.0;
   scene.waves.steepness = 1.0;
@@ -38,8 +37,6 @@ Scene sea_of_wind(double wind, double height, double longitude) {
   scene.camera.heading = 90.0;
   return scene;
 }
-
-bool prints() { return std::getenv("TERRELLA_PRINT") != nullptr; }
 
 class SeasOfWind : public testing::TestWithParam<SeaView> {};
 
@@ -52,11 +49,10 @@ TEST_P(SeasOfWind, AreThoseOfTheReference) {
   scene.camera.pitch = view.pitch;
   const Image exact = reference::light(scene, test::asked_for<reference::Options>());
   for (const Ground ground : ground_models()) {
-    Scene drawn = scene;
-    drawn.terrain.model = static_cast<int>(ground) - static_cast<int>(Ground::icosphere) + 2;
+    const Scene drawn = with_ground(scene, ground);
     Renderer renderer;
     const double found = psnr(test::cut_off(test::light_of(drawn, renderer)), test::cut_off(exact));
-    if (prints()) std::printf("%-14s%-16s %.1f dB\n", view.name, std::string(name_of(ground)).c_str(), found);
+    if (test::prints()) std::printf("%-14s%-16s %.1f dB\n", view.name, std::string(name_of(ground)).c_str(), found);
     EXPECT_GE(found, view.psnr) << name_of(ground);
   }
 }
@@ -106,7 +102,7 @@ TEST(SeaOfWind, LeavesNoHole) {
   options.width = test::sanitized ? 96 : 960;
   options.height = test::sanitized ? 54 : 540;
   for (const Ground ground : ground_models()) {
-    scene.terrain.model = static_cast<int>(ground) - static_cast<int>(Ground::icosphere) + 2;
+    scene = with_ground(scene, ground);
     for (int n = 0; n < test::by_effort(40, 4, 1); ++n) {
       scene.camera.altitude = scene.water.level + 8.0 * std::pow(1.5, n);
       scene.camera.heading = 40.0 * n;

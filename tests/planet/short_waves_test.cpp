@@ -9,6 +9,7 @@
 
 #include "laws/random_places.hpp"
 #include "planet/wind_sea.hpp"
+#include "scene/choices.hpp"
 
 namespace terrella {
 namespace {
@@ -19,7 +20,7 @@ Scene windy(double radius, double shortest) {
   Scene scene;
   scene.planet.radius = radius;
   scene.waves.count = 40;
-  scene.waves.spectrum = 1;
+  scene.waves.spectrum = choice("waves.spectrum", "wind");
   scene.waves.wind = 12.0;
   scene.waves.shortest = shortest;
   return scene;
@@ -36,7 +37,7 @@ f64::WaveSum waves_at(const Sea& sea, const glm::dvec3& place, const f64::Frame&
   for (int axis = 0; axis < 3; ++axis) {
     if (parts[axis] <= 0.0) continue;
     for (const RegionalWave& wave : sea.short_waves)
-      f64::add_wave(sum, place, frame, in_region(wave, 2 * axis + (place[axis] < 0.0 ? 1 : 0)), parts[axis]);
+      f64::add_wave(sum, place, frame, in_region(wave, region_around(axis, place)), parts[axis]);
   }
   return sum;
 }
@@ -51,8 +52,7 @@ TEST(Regions, AreFarFromTheOriginsOfTheirWaves) {
     const glm::dvec3 parts = f64::parts_of_regions(place);
     for (int axis = 0; axis < 3; ++axis) {
       if (parts[axis] <= 0.0) continue;
-      const f64::Wave wave =
-          in_region(sea.short_waves[static_cast<std::size_t>(i) % 40], 2 * axis + (place[axis] < 0.0));
+      const f64::Wave wave = in_region(sea.short_waves[static_cast<std::size_t>(i) % 40], region_around(axis, place));
       const double away = angle_between(place, wave.origin);
       nearest = std::min({nearest, away, std::numbers::pi - away});
     }
@@ -106,7 +106,7 @@ TEST(NearWaves, AreTheWavesThemselves) {
       for (int axis = 0; axis < 3; ++axis) {
         const auto& waves = near.waves.at(static_cast<std::size_t>(axis));
         if (waves.empty() || f64::parts_of_regions(place)[axis] <= 0.0) continue;
-        const f64::Wave exact = in_region(regional, 2 * axis + (place[axis] < 0.0 ? 1 : 0));
+        const f64::Wave exact = in_region(regional, region_around(axis, place));
         f64::WaveSum sum = f64::no_waves(), expected = f64::no_waves();
         const f64::Frame frame = f64::carried_axes(near.axes, near.anchor, place);
         f64::add_short_wave(sum, f64::arcs_from_anchor(offset, near.axes), waves[n], 1.0);
@@ -137,7 +137,7 @@ TEST(NearWaves, KnowTheirPhasesAfterThirtyYears) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto& waves = near.waves.at(static_cast<std::size_t>(axis));
       for (std::size_t n = 0; n < waves.size(); ++n) {
-        const f64::Wave wave = in_region(start.short_waves[n], 2 * axis + (eye[axis] < 0.0 ? 1 : 0));
+        const f64::Wave wave = in_region(start.short_waves[n], region_around(axis, eye));
         const glm::dvec3 &a = near.anchor, &o = wave.origin;
         const long double x = static_cast<long double>(a.y) * o.z - static_cast<long double>(a.z) * o.y;
         const long double y = static_cast<long double>(a.z) * o.x - static_cast<long double>(a.x) * o.z;
