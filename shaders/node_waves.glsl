@@ -10,6 +10,7 @@ layout(std140) uniform NearWaveBlock {
   vec4 wave_east;      // xyz: axes there
   vec4 wave_north;
   vec4 wave_breaking;  // x: Jacobian below which water is foam; y: softness; z: choppiness
+  vec4 wave_shore;     // x: 1 over the usual slope of shores; y: depth below which waves feel the ground; z: variance of the slopes of all
   ivec4 wave_axes;     // of the regions that reach here, axes around which they lie; w: how many they are, 0..3
   ivec4 waves_begin;   // where the waves of each region begin in the first list, and the last end
   ivec4 waves_go_on;   // the same of the second list
@@ -24,11 +25,18 @@ uniform int first_of_pixel;  // the first short wave that the vertices of a leve
 
 const int all_short_waves = 1000;
 
+// Whether waves may feel the ground at all.
+bool feels_ground();
+// The ground under the place: how deep it lies, and its slope along the axes.
+float felt_depth();
+vec2 felt_slope(Frame axes);
+
 // The sea at a still place, not yet held by the ground.
 struct SeaAt {
   vec3 up;
   vec2 arcs;  // from below the eye
   Frame frame;
+  Shore shore;
   WaveSum sum;
   float seen;  // twice the variance of slopes of the short waves in the sum
 };
@@ -43,13 +51,17 @@ SeaAt still_sea(vec3 from_eye) {
   at.up = normalize(anchor + offset);
   at.arcs = arcs_from_anchor(offset, axes);
   at.frame = carried_axes(axes, anchor, at.up);
+  at.shore.depth = felt_depth();
+  at.shore.rise = wave_shore.x * felt_slope(at.frame);
+  at.shore.per_slope = wave_shore.x;
+  at.shore.felt_depth = wave_shore.y;
   at.sum = no_waves();
   at.seen = 0.0;
   return at;
 }
 
-// Adds a wave as it is in a list, if samples a footprint apart can show it. Returns whether they can; else they can't show
-// those that follow.
+// Adds a wave as it is in a list, if samples a footprint apart can show it. Returns whether they could in deep water; else
+// they can't show those that follow.
 bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footprint) {
   float shown = part * wave_weight(motion.z, footprint);
   if (shown <= 0.0) return false;
@@ -58,9 +70,15 @@ bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footp
   wave.wavenumber = motion.z;
   wave.phase = motion.w;
   wave.amplitude = shape.x;
-  wave.pinch = shape.y;
+  wave.pinch = wave_breaking.z * shape.x;
   wave.bend = shape.z;
-  add_short_wave(at.sum, at.arcs, wave, shown);
+  wave.begins = shape.y;
+  Course course = course_of(wave, at.arcs);
+  if (feels_ground()) {
+    course = ashore(course, wave, at.shore);
+    shown = min(shown, part * wave_weight(motion.z * length(course.direction), footprint));
+  }
+  add_short_wave(at.sum, course, wave, shown);
   float slope = shown * shape.x * motion.z;
   at.seen += slope * slope;
   return true;

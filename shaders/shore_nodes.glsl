@@ -1,6 +1,7 @@
 // What lies under the water by the nodes of the ground, which the water is drawn with.
 #include "water_bottom.glsl"
 #include "node_surface.glsl"
+#include "lib/shoaling.glsl"
 
 GroundAt ground_here;
 
@@ -13,9 +14,9 @@ float depth_below(vec3 up) {
   return -ground_here.height;
 }
 
-float wave_part_over_ground(float depth) { return left_by_ground(depth, sea.w); }
+float wave_part_over_ground(float depth) { return left_ashore(depth, sea.w); }
 WaveSum waves_over_ground(WaveSum sum, Frame f, float depth) {
-  return held_in_frame(sum, f, depth, ground_here.gradient, sea.w);
+  return held_ashore(sum, f, depth, ground_here.gradient, sea.w);
 }
 
 // Nodes know nothing of their neighbours: right below is near enough.

@@ -48,6 +48,11 @@ void main() {
   for (int i = 0; i < int(sea.z); ++i) add_long_wave(at.sum, unseen, at.up, at.frame, i, footprint);
   float left = wave_part_over_ground(depth);
   at.sum = waves_over_ground(at.sum, at.frame, depth);
-  Water water = open_water(at.up, -normalize(surface_from_eye), depth, at.sum, at.frame, left * left * unseen, sea_breaking(), sea.w, water_look());
+  // High waves are long, and the last that are no longer shown.
+  float part = min(unseen / wave_shore.z, 1.0);
+  Unseen other;
+  other.slopes = left * left * unseen;
+  other.heights = 0.5 * left * left * sea.y * sea.y * part * part * part * part;
+  Water water = open_water(at.up, -normalize(surface_from_eye), depth, at.sum, at.frame, other, sea_breaking(), sea.w, water_look());
   emit_water(water, at.up, at.sum.height);
 }

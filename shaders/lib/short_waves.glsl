@@ -1,7 +1,7 @@
 // Waves that are short beside the planet, told from an anchor near the eye (Michelic 2018, 7 to 10), on the unit sphere. Of
 // such waves none is seen from further than some hundred of its lengths, and its origin is far: so its arc from there is a short
 // polynomial of where a place lies from the anchor, without the roots and arc tangents of lib/anchored_waves.glsl.
-#include "lib/waves.glsl"
+#include "lib/shoaling.glsl"
 
 // One wave as the anchor sees it.
 struct ShortWave {
@@ -11,6 +11,13 @@ struct ShortWave {
   float amplitude;   // A
   float pinch;       // Q A
   float bend;        // cotangent of the arc from its origin to the anchor
+  float begins;      // gained_phase where it begins to feel the ground
+};
+
+// How it runs at a place.
+struct Course {
+  vec2 direction;  // as many times as long as the wave is shorter than in deep water
+  float phase;
 };
 
 // The sphere is divided into six regions around its axes, each of which has its waves from origins a quarter of a great
@@ -41,16 +48,34 @@ Frame carried_axes(Frame axes, vec3 anchor, vec3 v) {
   return f;
 }
 
-// Adds one wave at a place. arcs: arcs_from_anchor; slopes and shifts are told along the carried axes. weight fades the wave
-// as a whole. Neglected: what the arc gains by the fourth power of arcs, and that crests spread.
-void add_short_wave(inout WaveSum sum, vec2 arcs, ShortWave wave, float weight) {
+// arcs: arcs_from_anchor; directions are told along the carried axes. In deep water; what the arc gains by the fourth power of
+// arcs is neglected.
+Course course_of(ShortWave wave, vec2 arcs) {
   float ahead = dot(wave.direction, arcs);
   float aside = wave.direction.x * arcs.y - wave.direction.y * arcs.x;
   float half_bend = 0.5 * wave.bend;
   float curve = aside * (half_bend - ahead * (0.16666666666666666 + half_bend * wave.bend));
-  vec2 turn = cos_sin(wave.phase + wave.wavenumber * (ahead + aside * curve));
-  vec2 d = wave.direction + 2.0 * curve * vec2(-wave.direction.y, wave.direction.x);
-  float height = weight * wave.amplitude, sway = weight * wave.pinch * turn.x;
-  add_swell(sum, d, height * turn.y, height * wave.wavenumber * turn.x, sway, -weight * wave.pinch * wave.wavenumber * turn.y,
-            0.0);
+  Course course;
+  course.phase = wave.phase + wave.wavenumber * (ahead + aside * curve);
+  course.direction = wave.direction + 2.0 * curve * vec2(-wave.direction.y, wave.direction.x);
+  return course;
+}
+
+// The same over a ground that the wave feels.
+Course ashore(Course course, ShortWave wave, Shore shore) {
+  Shoaling s = shoaling(wave.wavenumber, wave.begins, shore);
+  course.phase += s.phase;
+  course.direction += s.turn;
+  return course;
+}
+
+// Adds a wave to the sum at a place; weight fades it as a whole. Slopes and shifts are told along the axes of the course.
+// A shorter wave sways less, so that it folds no sooner. Neglected: that crests spread.
+void add_short_wave(inout WaveSum sum, Course course, ShortWave wave, float weight) {
+  vec2 turn = cos_sin(course.phase);
+  float per_length = inversesqrt(max(dot(course.direction, course.direction), 1.0e-6));
+  float height = weight * wave.amplitude, pinch = weight * wave.pinch;
+  float sway = min(per_length, 1.0) * pinch * turn.x;
+  add_swell(sum, per_length * course.direction, height * turn.y, height * wave.wavenumber / per_length * turn.x, sway,
+            -min(1.0 / per_length, 1.0) * pinch * wave.wavenumber * turn.y, 0.0);
 }

@@ -1,3 +1,4 @@
 // A sea of waves over deep nodes.
 #include "deep_nodes.glsl"
 #include "wavy_nodes.glsl"
+#include "no_felt_ground.glsl"

@@ -2,3 +2,4 @@
 #include "node_no_map.glsl"
 #include "shore_nodes.glsl"
 #include "wavy_nodes.glsl"
+#include "felt_ground.glsl"

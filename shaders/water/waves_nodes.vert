@@ -1,3 +1,4 @@
 #include "wavy_vertex.glsl"
+#include "felt_ground.glsl"
 
-WaveSum waves_at_vertex(WaveSum sum, Frame f) { return held_in_frame(sum, f, -node_height.x, node_slope.xyz, sea.w); }
+WaveSum waves_at_vertex(WaveSum sum, Frame f) { return held_ashore(sum, f, -node_height.x, node_slope.xyz, sea.w); }

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "planet/shores.hpp"
 #include "planet/short_waves.hpp"
 #include "planet/spheres.hpp"
 
@@ -21,7 +22,7 @@ using List = std::array<glm::vec4, 2 * room>;
 // As in shaders/node_waves.glsl, std140.
 struct NearWaveBlock {
   glm::vec4 anchor, east, north;
-  glm::vec4 breaking;
+  glm::vec4 breaking, shore;
   glm::ivec4 axes, begin, go_on;
   glm::vec4 left;
   List list;
@@ -40,7 +41,7 @@ Texels texels_of(const std::vector<f64::ShortWave>& waves) {
     const double slope = wave.amplitude * wave.wavenumber;
     variance += 0.5 * slope * slope;
     texels[2 * i] = glm::vec4(glm::dvec4(wave.direction, wave.wavenumber, wave.phase));
-    texels[2 * i + 1] = glm::vec4(glm::dvec4(wave.amplitude, wave.pinch, wave.bend, variance));
+    texels[2 * i + 1] = glm::vec4(glm::dvec4(wave.amplitude, wave.begins, wave.bend, variance));
   }
   return texels;
 }
@@ -73,7 +74,8 @@ void fill(List& list, glm::ivec4& begin, std::vector<Region>& all) {
 }  // namespace
 
 void WaveLists::set(const Frame& frame) {
-  const NearWaves near = near_waves(frame.sea, frame.pose.eye);
+  const f64::Shore shore = shore_of(frame.scene, frame.sea);
+  const NearWaves near = near_waves(frame.sea, frame.pose.eye, shore.felt_depth);
   NearWaveBlock block{};
   List more{};
   const double over_sea = glm::length(frame.pose.eye) - water_radius(frame.scene);
@@ -82,6 +84,7 @@ void WaveLists::set(const Frame& frame) {
   block.north = glm::vec4(glm::dvec4(near.axes.north, 0.0));
   const f64::Breaking& breaking = frame.sea.breaking;
   block.breaking = glm::vec4(breaking.fold, breaking.softness, breaking.choppiness, 0.0);
+  block.shore = glm::vec4(shore.per_slope, shore.felt_depth, frame.sea.slope_variance, 0.0);
   std::vector<Region> here;
   for (int axis = 0; axis < axes; ++axis) {
     const auto& waves = near.waves.at(static_cast<std::size_t>(axis));

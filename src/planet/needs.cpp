@@ -15,6 +15,7 @@
 #include "planet/octaves.hpp"
 #include "planet/real_size.hpp"
 #include "planet/rings.hpp"
+#include "planet/shores.hpp"
 #include "planet/spheres.hpp"
 #include "planet/sun.hpp"
 #include "planet/terrain.hpp"
@@ -222,14 +223,6 @@ void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decision
              : !wanted ? "water.ripples and water.crust are 0"
              : seen    ? "two layers, and finer ones where their ripples are twice as large as quality.finest_layer"
                        : "a ripple is smaller than quality.finest_layer: it only widens the glitter");
-}
-
-// Depth (planet radii) from which less than a thousandth of the bottom's light comes up, and no wave feels it.
-double hiding_depth(const Scene& scene, const Sea& sea) {
-  constexpr double thousandth = 6.9;
-  const glm::dvec3 extinction = water_look_of(scene).extinction;
-  const double clearest = std::min({extinction.x, extinction.y, extinction.z});
-  return std::max(thousandth / std::max(clearest, 1e-12), whole_wave_depth(sea));
 }
 
 void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pose, Decisions& decide) {

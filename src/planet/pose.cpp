@@ -14,6 +14,7 @@
 #include "planet/needs.hpp"
 #include "planet/real_size.hpp"
 #include "planet/rings.hpp"
+#include "planet/shores.hpp"
 #include "planet/short_waves.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
@@ -91,8 +92,11 @@ double highest_sea(const Scene& scene, double ground) {
 double water_of_short_waves(const Scene& scene, const Sea& sea, const glm::dvec3& direction) {
   const double still = water_radius(scene), ground = has_ground(scene) ? ground_below(scene, direction) : 1.0;
   const double depth = has_ground(scene) ? still - ground : whole_wave_depth(sea);
+  f64::Shore shore = shore_of(scene, sea);
+  shore.depth = depth;
   return highest_sea(scene, ground) +
-         f64::left_by_ground(depth, whole_wave_depth(sea)) * water_over(near_waves(sea, direction));
+         f64::left_ashore(depth, whole_wave_depth(sea)) *
+             water_over(near_waves(sea, direction, shore.felt_depth), shore);
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ namespace {
 // In lengths of a wave: from further away pictures of usual size don't show it.
 constexpr double farthest_seen = 200.0;
 
-f64::ShortWave seen_from(const f64::Wave& wave, const glm::dvec3& anchor, const f64::Frame& axes) {
+}  // namespace
+
+f64::ShortWave seen_from(const f64::Wave& wave, const glm::dvec3& anchor, const f64::Frame& axes, double felt_depth) {
   const double cosine = glm::dot(wave.origin, anchor), sine = glm::length(glm::cross(wave.origin, anchor));
   const glm::dvec3 outward = (cosine * anchor - wave.origin) / sine;
   const double phase = wave.phase + wave.wavenumber * std::atan2(sine, cosine);
@@ -22,12 +24,11 @@ f64::ShortWave seen_from(const f64::Wave& wave, const glm::dvec3& anchor, const 
           std::remainder(phase, 2.0 * std::numbers::pi),
           wave.amplitude,
           wave.pinch,
-          cosine / sine};
+          cosine / sine,
+          f64::gained_phase(wave.wavenumber * felt_depth)};
 }
 
-}  // namespace
-
-NearWaves near_waves(const Sea& sea, const glm::dvec3& eye) {
+NearWaves near_waves(const Sea& sea, const glm::dvec3& eye, double felt_depth) {
   NearWaves near;
   near.anchor = glm::normalize(eye);
   near.axes = f64::frame_at(near.anchor);
@@ -41,12 +42,12 @@ NearWaves near_waves(const Sea& sea, const glm::dvec3& eye) {
     const int region = region_around(axis, near.anchor);
     auto& waves = near.waves.at(static_cast<std::size_t>(axis));
     for (const RegionalWave& wave : sea.short_waves)
-      waves.push_back(seen_from(in_region(wave, region), near.anchor, near.axes));
+      waves.push_back(seen_from(in_region(wave, region), near.anchor, near.axes, felt_depth));
   }
   return near;
 }
 
-double water_over(const NearWaves& near) {
+double water_over(const NearWaves& near, const f64::Shore& shore) {
   const glm::dvec3 parts = f64::parts_of_regions(near.anchor);
   // The water of a still place that lies as far to one side as it is moved to the other.
   f64::WaveSum sum = f64::no_waves();
@@ -55,7 +56,7 @@ double water_over(const NearWaves& near) {
     sum = f64::no_waves();
     for (int axis = 0; axis < 3; ++axis) {
       for (const f64::ShortWave& wave : near.waves.at(static_cast<std::size_t>(axis)))
-        f64::add_short_wave(sum, still, wave, parts[axis]);
+        f64::add_short_wave(sum, f64::ashore(f64::course_of(wave, still), wave, shore), wave, parts[axis]);
     }
   }
   return sum.height;

@@ -16,11 +16,15 @@ struct NearWaves {
   std::array<std::vector<f64::ShortWave>, 3> waves;
 };
 
-// eye: not the planet's centre. Phases are worked out in double precision: of waves of half a metre on a planet as
+// eye: not the planet's centre; felt_depth: as of f64::Shore. Phases are worked out in double precision: of waves of half a metre on a planet as
 // large as the Earth they are known to a hundred thousandth of a turn, after thirty years as well.
-NearWaves near_waves(const Sea& sea, const glm::dvec3& eye);
+NearWaves near_waves(const Sea& sea, const glm::dvec3& eye, double felt_depth);
+
+// A wave as an anchor (unit) sees it, along its axes.
+f64::ShortWave seen_from(const f64::Wave& wave, const glm::dvec3& anchor, const f64::Frame& axes, double felt_depth);
 
 // How high the water that lies over the anchor stands over the still sea, planet radii; not held by the ground.
-double water_over(const NearWaves& near);
+// shore: there.
+double water_over(const NearWaves& near, const f64::Shore& shore);
 
 }  // namespace terrella

@@ -36,6 +36,10 @@ struct Sea {
   double slope_variance = 0.0;  // of all waves; of both directions together
   f64::Breaking breaking = {0.5, 0.11, 0.0};
 
+  // Of one of all waves.
+  [[nodiscard]] bool is_short(const f64::Wave& wave) const {
+    return !short_waves.empty() && wave.wavenumber >= short_waves.front().wavenumber;
+  }
   [[nodiscard]] bool is_calm() const { return waves.empty() && short_waves.empty(); }
 };
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "planet/needs.hpp"
+#include "planet/shores.hpp"
+#include "planet/short_waves.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 #include "reference/first_hit.hpp"
@@ -23,7 +26,10 @@ Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
     : sea_(make_sea(scene, seconds)),
       radius_(water_radius(scene)),
       whole_depth_(whole_wave_depth(sea_)),
+      over_nodes_(has_nodes(ground_technique(scene))),
+      shore_(shore_of(scene, sea_)),
       ground_(ground) {
+  if (ground != nullptr && !sea_.short_waves.empty()) felt_ground_.emplace(scene, longest_wave(sea_) / 16.0);
   const auto bend = [](const auto& wave) {
     return fastest_change * wave.amplitude * wave.wavenumber * wave.wavenumber;
   };
@@ -68,10 +74,28 @@ double Sea::depth_at(const glm::dvec3& direction) const {
   return ground_ != nullptr ? radius_ - ground_->radius_at(direction) : bottomless;
 }
 
-f64::WaveSum Sea::whole_sum(const glm::dvec3& still, const f64::Frame& frame) const {
+f64::Shore Sea::shore_at(const glm::dvec3& direction, const f64::Frame& frame) const {
+  f64::Shore shore = shore_;
+  const f64::Height ground = felt_ground_->height_at(direction);
+  shore.depth = radius_ - 1.0 - ground.value;
+  shore.rise = shore.per_slope *
+               glm::dvec2(glm::dot(ground.gradient, frame.east), glm::dot(ground.gradient, frame.north));
+  return shore;
+}
+
+void Sea::add_wave(f64::WaveSum& sum, const glm::dvec3& still, const f64::Frame& frame, const f64::Wave& wave,
+                   double part, const f64::Shore* shore) const {
+  if (shore == nullptr || !sea_.is_short(wave)) return f64::add_wave(sum, still, frame, wave, part);
+  const f64::ShortWave seen = seen_from(wave, still, frame, shore->felt_depth);
+  f64::add_short_wave(sum, f64::ashore(f64::course_of(seen, {0.0, 0.0}), seen, *shore), seen, part);
+}
+
+f64::WaveSum Sea::whole_sum(const glm::dvec3& still, const f64::Frame& frame, bool deep) const {
   f64::WaveSum sum = f64::no_waves();
+  const bool feels = !deep && felt_ground_;
+  const f64::Shore shore = feels ? shore_at(still, frame) : shore_;
   each_wave(still, 0.0, [&](const f64::Wave& wave, double part, double) {
-    if (part > 0.0) f64::add_wave(sum, still, frame, wave, part);
+    if (part > 0.0) add_wave(sum, still, frame, wave, part, feels ? &shore : nullptr);
   });
   return sum;
 }
@@ -87,13 +111,15 @@ WaterAt Sea::from(const glm::dvec3& still, bool deep) const {
     at.depth = radius_ - 1.0 - ground.value;
     gradient = ground.gradient;
   }
-  at.sum = f64::held_in_frame(whole_sum(still, at.frame), at.frame, at.depth, gradient, whole_depth_);
+  const f64::WaveSum whole = whole_sum(still, at.frame, deep);
+  at.sum = over_nodes_ ? f64::held_ashore(whole, at.frame, at.depth, gradient, whole_depth_)
+                       : f64::held_in_frame(whole, at.frame, at.depth, gradient, whole_depth_);
   at.place = still * radius_ + f64::wave_offset(still, at.frame, at.sum);
   return at;
 }
 
 WaterAt Sea::over(const glm::dvec3& direction) const {
-  const bool deep = left_around(direction, 1.01 * most_shift_).least >= 1.0;
+  const bool deep = depths_around(direction, 1.01 * most_shift_).least >= shore_.felt_depth;
   WaterAt at = over(direction, deep);
   if (deep) at.depth = depth_at(at.still);  // otherwise it is known
   return at;
@@ -134,8 +160,13 @@ double Sea::most_of_deep_water(const WaterAt& middle, double chord) const {
   return glm::length(middle.place) + 1.02 * slope * away + 0.5 * most_curvature_ * away * away;
 }
 
-Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, double told_from) const {
+Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, double told_from,
+                                    double least_depth) const {
   const f64::Frame frame = f64::frame_at(direction);
+  const bool feels = least_depth < shore_.felt_depth && felt_ground_;
+  const f64::Shore shore = feels ? shore_at(direction, frame) : shore_;
+  // The felt ground, without fine layers, is nowhere near much steeper than here.
+  const double steepest = 0.5 + 1.5 * glm::length(shore.rise);
   Range range = {-sea_.highest, sea_.highest};
   // From how far water may come to lie there. Waves that are short beside that may stand at any height; of the longer
   // ones slope and squeeze at the middle tell how they rise, and how far they move water: so a bound on the way gives a
@@ -145,14 +176,16 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
     f64::WaveSum felt = f64::no_waves();
     double any_height = 0.0, any_shift = 0.0, curvature = 0.0, squeeze = 0.0;
     each_wave(direction, away, [&](const f64::Wave& wave, double part, double most) {
-      const bool is_short = wave.wavenumber * away > 1.0;
+      const double shorter = feels ? 1.0 + steepest * (f64::shortened(wave.wavenumber * least_depth) - 1.0) : 1.0;
+      const double wavenumber = shorter * wave.wavenumber;
+      const bool is_short = wavenumber * away > 1.0;
       const double any = is_short ? most : most - part;
       any_height += any * wave.amplitude;
       any_shift += any * wave.pinch;
       if (is_short) return;
-      f64::add_wave(felt, direction, frame, wave, part);
-      curvature += fastest_change * most * wave.amplitude * wave.wavenumber * wave.wavenumber;
-      squeeze += fastest_change * most * wave.pinch * wave.wavenumber * wave.wavenumber;
+      add_wave(felt, direction, frame, wave, part, feels ? &shore : nullptr);
+      curvature += fastest_change * most * wave.amplitude * wavenumber * wavenumber;
+      squeeze += fastest_change * most * wave.pinch * wavenumber * wavenumber;
     });
     // Many short waves never meet (Sea::highest).
     any_height = std::min(any_height, sea_.highest);
@@ -175,24 +208,26 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
   return {range, away, true};
 }
 
-Range Sea::left_around(const glm::dvec3& direction, double distance) const {
-  if (ground_ == nullptr) return {1.0, 1.0};
+double Sea::left_over(double depth) const {
+  return over_nodes_ ? f64::left_ashore(depth, whole_depth_) : f64::left_by_ground(depth, whole_depth_);
+}
+
+Range Sea::depths_around(const glm::dvec3& direction, double distance) const {
+  if (ground_ == nullptr) return {bottomless, bottomless};
   const double still = radius_ - 1.0;
-  const Range ground = ground_->heights_over({direction, distance}, {still - whole_depth_, still});
-  return {f64::left_by_ground(still - ground.most, whole_depth_),
-          f64::left_by_ground(still - ground.least, whole_depth_)};
+  const Range ground = ground_->heights_over({direction, distance}, {still - shore_.felt_depth, still});
+  return {still - ground.most, still - ground.least};
 }
 
 Sea::Around Sea::around(const glm::dvec3& direction, double chord, double told_from) const {
-  Around around = whole_waves_around(direction, chord, told_from);
+  const Range depths = depths_around(direction, chord + 1.01 * most_shift_);
+  Around around = whole_waves_around(direction, chord, told_from, depths.least);
   // The ground holds crests and troughs back, no further than to the still water.
+  const Range left = {left_over(depths.least), left_over(depths.most)};
   const Range whole = around.heights;
-  const Range held = {std::min(whole.least, 0.0), std::max(whole.most, 0.0)};
-  if (held.lies_apart_from(told_from)) return {held, around.away, false};
-  const Range left = left_around(direction, around.away);
   around.heights.least = whole.least * (whole.least < 0.0 ? left.most : left.least);
   around.heights.most = whole.most * (whole.most > 0.0 ? left.most : left.least);
-  around.deep = left.least >= 1.0;
+  around.deep = depths.least >= shore_.felt_depth;
   return around;
 }
 

@@ -56,7 +56,7 @@ class Sea {
   // The water over a direction, which lies within most_shift_ of its still place. beside: a radius; it is enough to
   // know on which side of it the water lies; 0: find it to the precision of doubles.
   [[nodiscard]] WaterAt over(const glm::dvec3& direction, bool deep, double beside = 0.0) const;
-  [[nodiscard]] f64::WaveSum whole_sum(const glm::dvec3& still, const f64::Frame& frame) const;
+  [[nodiscard]] f64::WaveSum whole_sum(const glm::dvec3& still, const f64::Frame& frame, bool deep) const;
   // Bounds of the water over all directions within chord of a direction; no tighter than is needed to tell it from a
   // height.
   struct Around {
@@ -65,10 +65,16 @@ class Sea {
     bool deep;      // the ground is known to be too deep to be felt where it comes from
   };
   [[nodiscard]] Around around(const glm::dvec3& direction, double chord, double told_from) const;
-  // The same without a ground.
-  [[nodiscard]] Around whole_waves_around(const glm::dvec3& direction, double chord, double told_from) const;
-  // How much of the waves the ground leaves within a distance of a direction, 0..1.
-  [[nodiscard]] Range left_around(const glm::dvec3& direction, double distance) const;
+  // The same as if the ground held nothing back. least_depth: of the water that may come to lie there.
+  [[nodiscard]] Around whole_waves_around(const glm::dvec3& direction, double chord, double told_from,
+                                          double least_depth) const;
+  // Depths within a distance of a direction, no more exactly than waves feel them.
+  [[nodiscard]] Range depths_around(const glm::dvec3& direction, double distance) const;
+  // The ground that waves feel at a direction.
+  [[nodiscard]] f64::Shore shore_at(const glm::dvec3& direction, const f64::Frame& frame) const;
+  // shore: or nothing where the ground is known to be too deep to be felt.
+  void add_wave(f64::WaveSum& sum, const glm::dvec3& still, const f64::Frame& frame, const f64::Wave& wave, double part,
+                const f64::Shore* shore) const;
   [[nodiscard]] double most_of_deep_water(const WaterAt& middle, double chord) const;
 
   // Asks function(wave, part, most) for each wave that comes within a distance of a direction: how strong it is there,
@@ -78,11 +84,17 @@ class Sea {
 
   terrella::Sea sea_;
   std::array<std::vector<f64::Wave>, regions> short_waves_;
+  // How much of the waves the ground leaves, 0..1.
+  [[nodiscard]] double left_over(double depth) const;
+
   double radius_, whole_depth_;
+  bool over_nodes_;
+  f64::Shore shore_;
   double most_shift_ = 0.0;  // no water moves further aside
   // No wave changes its slope, nor how it moves water aside, faster.
   double most_curvature_ = 0.0, most_squeeze_ = 0.0;
   const Ground* ground_;
+  std::optional<Ground> felt_ground_;  // without what is much finer than the longest wave
 };
 
 }  // namespace terrella::reference

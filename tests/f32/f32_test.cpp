@@ -140,7 +140,7 @@ TEST(SinglePrecision, ShortWaves) {
   Places places(37U);
   for (int i = 0; i < tries; ++i) {
     const double turn = places.between(0.0, 6.28);
-    f32::ShortWave a;
+    f32::ShortWave a{};
     a.direction = glm::vec2(std::cos(turn), std::sin(turn));
     a.wavenumber = rounded(std::pow(10.0, places.between(3.7, 9.5)));
     a.phase = rounded(places.between(-3.1, 3.1));
@@ -150,11 +150,11 @@ TEST(SinglePrecision, ShortWaves) {
     const double reach = 600.0 / exact(a.wavenumber);
     const glm::vec2 arcs(places.between(-reach, reach), places.between(-reach, reach));
     const f64::ShortWave b = {glm::dvec2(a.direction), exact(a.wavenumber), exact(a.phase),
-                              exact(a.amplitude),      exact(a.pinch),      exact(a.bend)};
+                              exact(a.amplitude),      exact(a.pinch),      exact(a.bend),  0.0};
     f32::WaveSum sum = f32::no_waves();
     f64::WaveSum expected = f64::no_waves();
-    f32::add_short_wave(sum, arcs, a, 1.0F);
-    f64::add_short_wave(expected, glm::dvec2(arcs), b, 1.0);
+    f32::add_short_wave(sum, f32::course_of(a, arcs), a, 1.0F);
+    f64::add_short_wave(expected, f64::course_of(b, glm::dvec2(arcs)), b, 1.0);
     const double off = 1e-6 + 16.0 * u * b.wavenumber * glm::length(glm::dvec2(arcs));
     ASSERT_NEAR(sum.height, expected.height, off * b.amplitude) << i;
     ASSERT_LT(glm::distance(glm::dvec2(sum.shift), expected.shift), off * b.pinch) << i;

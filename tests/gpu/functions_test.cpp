@@ -196,14 +196,14 @@ TEST_P(OnGpu, ShortWaves) {
   const auto out = test::run_on_gpu(
       {"noise", "short_waves"},
       "ShortWave w; w.direction = vec2(cos(a.z), sin(a.z)); w.wavenumber = 1.0e6; w.phase = a.w; w.amplitude = 1.0e-8;"
-      "w.pinch = 0.5e-8; w.bend = b.x; WaveSum s = no_waves(); add_short_wave(s, a.xy * 1.0e-5, w, b.y);"
+      "w.pinch = 0.5e-8; w.bend = b.x; WaveSum s = no_waves(); w.begins = 0.0; add_short_wave(s, course_of(w, a.xy * 1.0e-5), w, b.y);"
       "result = vec4(s.height * 1.0e8, s.slope * 100.0, s.stretch_en * 100.0);",
       in);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const glm::dvec4 a(in[2 * i]), b(in[2 * i + 1]);
-    const f64::ShortWave w = {{std::cos(a.z), std::sin(a.z)}, 1e6, a.w, 1e-8, 0.5e-8, b.x};
+    const f64::ShortWave w = {{std::cos(a.z), std::sin(a.z)}, 1e6, a.w, 1e-8, 0.5e-8, b.x, 0.0};
     f64::WaveSum s = f64::no_waves();
-    f64::add_short_wave(s, glm::dvec2(a) * 1e-5, w, b.y);
+    f64::add_short_wave(s, f64::course_of(w, glm::dvec2(a) * 1e-5), w, b.y);
     // Of 85 rad at the most; a driver's cosine, which tells the direction, may be off by 2.5e-4.
     ASSERT_NEAR(out[i].x, s.height * 1e8, 0.03);
     ASSERT_LT(glm::distance(glm::dvec2(out[i].y, out[i].z), s.slope * 100.0), 0.04);

@@ -16,7 +16,7 @@ using test::Places;
 
 f64::ShortWave any_wave(Places& places) {
   const double angle = places.between(0.0, 6.28);
-  f64::ShortWave wave;
+  f64::ShortWave wave{};
   wave.direction = {std::cos(angle), std::sin(angle)};
   wave.wavenumber = places.between(5e3, 5e5);
   wave.phase = places.between(-3.1, 3.1);
@@ -28,7 +28,7 @@ f64::ShortWave any_wave(Places& places) {
 
 f64::WaveSum sum_of(const f64::ShortWave& wave, const glm::dvec2& arcs) {
   f64::WaveSum sum = f64::no_waves();
-  f64::add_short_wave(sum, arcs, wave, 1.0);
+  f64::add_short_wave(sum, f64::course_of(wave, arcs), wave, 1.0);
   return sum;
 }
 
@@ -61,7 +61,7 @@ TEST(ShortWaves, WeightFadesThemAsAWhole) {
   const f64::ShortWave wave = any_wave(places);
   const glm::dvec2 at(1e-4, -2e-4);
   f64::WaveSum half = f64::no_waves();
-  f64::add_short_wave(half, at, wave, 0.5);
+  f64::add_short_wave(half, f64::course_of(wave, at), wave, 0.5);
   const f64::WaveSum whole = sum_of(wave, at);
   EXPECT_DOUBLE_EQ(half.height, 0.5 * whole.height);
   EXPECT_DOUBLE_EQ(half.slope.x, 0.5 * whole.slope.x);
@@ -149,11 +149,11 @@ TEST(OpenWater, IsAsWhiteFromAfarAsOnAverage) {
   for (int i = 0; i < count; ++i) {
     f64::WaveSum sum = f64::no_waves();
     const glm::dvec2 at(places.between(-1.0, 1.0) * 1e-3, places.between(-1.0, 1.0) * 1e-3);
-    for (const f64::ShortWave& wave : waves) f64::add_short_wave(sum, at, wave, 1.0);
-    mean += f64::open_water(up, eye, 1.0, sum, frame, 0.0, breaking, 1e-3, plain_look()).foam / count;
+    for (const f64::ShortWave& wave : waves) f64::add_short_wave(sum, f64::course_of(wave, at), wave, 1.0);
+    mean += f64::open_water(up, eye, 1.0, sum, frame, {0.0, 0.0}, breaking, 1e-3, plain_look()).foam / count;
   }
   const double from_afar =
-      f64::open_water(up, eye, 1.0, f64::no_waves(), frame, variance, breaking, 1e-3, plain_look()).foam;
+      f64::open_water(up, eye, 1.0, f64::no_waves(), frame, {variance, 0.0}, breaking, 1e-3, plain_look()).foam;
   EXPECT_GT(mean, 0.02);
   EXPECT_NEAR(from_afar, mean, 0.15 * mean);
 }
@@ -162,7 +162,7 @@ TEST(OpenWater, IsAsWhiteFromAfarAsOnAverage) {
 TEST(OpenWater, IsRougherByTheWavesThatAreNotShown) {
   const glm::dvec3 up(0.0, 0.0, 1.0);
   const auto roughness = [&](double unseen) {
-    return f64::open_water(up, up, 1.0, f64::no_waves(), f64::frame_at(up), unseen, {0.5, 0.1, 0.0}, 1e-3, plain_look())
+    return f64::open_water(up, up, 1.0, f64::no_waves(), f64::frame_at(up), {unseen, 0.0}, {0.5, 0.1, 0.0}, 1e-3, plain_look())
         .roughness;
   };
   EXPECT_DOUBLE_EQ(roughness(0.0), 0.1);
@@ -188,7 +188,7 @@ TEST(OpenWater, ReflectsAsMuchAsItsWavesDoOnAverage) {
         weights += seen;
       }
       const f64::Water water = f64::open_water(up, eye, 1.0, f64::no_waves(), f64::frame_at(up),
-                                               2.0 * deviation * deviation, {0.0, 0.1, 0.0}, 1e-3, plain_look());
+                                               {2.0 * deviation * deviation, 0.0}, {0.0, 0.1, 0.0}, 1e-3, plain_look());
       const double told = f64::varied_schlick(glm::dot(water.facing, eye), r0, water.variance);
       EXPECT_NEAR(told, sum / weights, 0.04) << deviation << ' ' << climb;
     }

@@ -14,7 +14,7 @@
 namespace terrella {
 namespace {
 
-constexpr double earth = 6.371e6, thirty_years = 9.467e8;
+constexpr double earth = 6.371e6, thirty_years = 9.467e8, felt = 1e-5;
 
 Scene windy(double radius, double shortest) {
   Scene scene;
@@ -94,7 +94,7 @@ TEST(NearWaves, AreTheWavesThemselves) {
     const Sea sea = make_sea(windy(radius, 0.5), 1000.0);
     for (int i = 0; i < 200; ++i) {
       const glm::dvec3 eye = places.on_sphere() * 1.00001;
-      const NearWaves near = near_waves(sea, eye);
+      const NearWaves near = near_waves(sea, eye, felt);
       const std::size_t n = static_cast<std::size_t>(i) % sea.short_waves.size();
       const RegionalWave& regional = sea.short_waves[n];
       // As far away as it is shown whole.
@@ -109,7 +109,7 @@ TEST(NearWaves, AreTheWavesThemselves) {
         const f64::Wave exact = in_region(regional, region_around(axis, place));
         f64::WaveSum sum = f64::no_waves(), expected = f64::no_waves();
         const f64::Frame frame = f64::carried_axes(near.axes, near.anchor, place);
-        f64::add_short_wave(sum, f64::arcs_from_anchor(offset, near.axes), waves[n], 1.0);
+        f64::add_short_wave(sum, f64::course_of(waves[n], f64::arcs_from_anchor(offset, near.axes)), waves[n], 1.0);
         f64::add_wave(expected, place, frame, exact, 1.0);
         worst = std::max(worst, std::abs(sum.height - expected.height) / exact.amplitude);
         const double slope = glm::distance(sum.slope, expected.slope) / (exact.amplitude * exact.wavenumber);
@@ -133,7 +133,7 @@ TEST(NearWaves, KnowTheirPhasesAfterThirtyYears) {
   const long double turn = 2.0L * std::numbers::pi_v<long double>;
   for (int i = 0; i < 400; ++i) {
     const glm::dvec3 eye = places.on_sphere();
-    const NearWaves near = near_waves(late, eye);
+    const NearWaves near = near_waves(late, eye, felt);
     for (int axis = 0; axis < 3; ++axis) {
       const auto& waves = near.waves.at(static_cast<std::size_t>(axis));
       for (std::size_t n = 0; n < waves.size(); ++n) {
@@ -167,7 +167,7 @@ TEST(NearWaves, DoNotJumpWhenTheEyeMoves) {
     const std::size_t n = static_cast<std::size_t>(i) % sea.short_waves.size();
     const double length = 2.0 * std::numbers::pi / sea.short_waves[n].wavenumber;
     const auto height_from = [&](double away) {
-      const NearWaves near = near_waves(sea, glm::normalize(place + away * side));
+      const NearWaves near = near_waves(sea, glm::normalize(place + away * side), felt);
       const f32::Frame axes = {glm::vec3(near.axes.east), glm::vec3(near.axes.north)};
       const f32::vec2 arcs = f32::arcs_from_anchor(glm::vec3(place - near.anchor), axes);
       const glm::dvec3 parts = f64::parts_of_regions(place);
@@ -178,9 +178,9 @@ TEST(NearWaves, DoNotJumpWhenTheEyeMoves) {
         const f64::ShortWave& w = waves[n];
         const f32::ShortWave wave = {glm::vec2(w.direction),      static_cast<float>(w.wavenumber),
                                      static_cast<float>(w.phase), static_cast<float>(w.amplitude),
-                                     static_cast<float>(w.pinch), static_cast<float>(w.bend)};
+                                     static_cast<float>(w.pinch), static_cast<float>(w.bend), 0.0F};
         f32::WaveSum sum = f32::no_waves();
-        f32::add_short_wave(sum, arcs, wave, static_cast<float>(parts[axis]));
+        f32::add_short_wave(sum, f32::course_of(wave, arcs), wave, static_cast<float>(parts[axis]));
         height += sum.height;
       }
       return height / sea.short_waves[n].amplitude;
@@ -194,7 +194,7 @@ TEST(NearWaves, ReachOverTheBordersOfRegions) {
   const Sea sea = make_sea(windy(earth, 0.5), 0.0);
   const auto regions_at = [&](const glm::dvec3& eye) {
     int count = 0;
-    for (const auto& waves : near_waves(sea, eye).waves) count += waves.empty() ? 0 : 1;
+    for (const auto& waves : near_waves(sea, eye, felt).waves) count += waves.empty() ? 0 : 1;
     return count;
   };
   EXPECT_EQ(regions_at({1.0, 0.2, 0.1}), 1);
@@ -210,8 +210,8 @@ TEST(NearWaves, TellTheWaterOverTheAnchor) {
   test::Places places(21U);
   for (int i = 0; i < 20; ++i) {
     const glm::dvec3 place = places.on_sphere();
-    const NearWaves near = near_waves(sea, place);
-    const double height = water_over(near);
+    const NearWaves near = near_waves(sea, place, felt);
+    const double height = water_over(near, {1.0, {0.0, 0.0}, 1.0, felt});
     // The nearest of still places around, a tenth of a metre apart, to where the water of one of them lies over it.
     double nearest = 1.0, found = 0.0;
     for (int x = -60; x <= 60; ++x) {

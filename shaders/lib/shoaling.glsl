@@ -1,0 +1,65 @@
+// Waves that run up a shore: the shallower the water, the shorter they are, and so they turn towards it, break, and run up and
+// down the land. Lengths in planet radii.
+#include "lib/waves.glsl"
+
+// The ground under a place as waves feel it.
+struct Shore {
+  float depth;       // of the still water; at most 0: land
+  vec2 rise;         // slope of the ground along two axes, times per_slope
+  float per_slope;   // 1 over how steep the planet's shores usually are
+  float felt_depth;  // from which on waves run as if there were no ground
+};
+
+// How a wave runs where it feels the ground.
+struct Shoaling {
+  float phase;  // gained on the way
+  vec2 turn;    // added to its direction in deep water (unit): the sum is as many times as long as the wave is shorter
+};
+
+// Root of the hyperbolic tangent of a depth times a wavenumber in deep water, from where the wave is a quarter as long.
+float shallowness(float depth) {
+  return max(sqrt(tanh(clamp(depth, 0.0, 10.0))), 0.25);
+}
+
+// How many times as short a wave is over a ground, 1..4: Eckart's solution (1952) of the dispersion relation, 5 % off at the most.
+float shortened(float depth) {
+  return 1.0 / shallowness(depth);
+}
+
+// Integral over depth of how much more there is of a wave than in deep water, from a depth on, rad: what its phase gains on
+// the way up a slope of 1. depth: times the wavenumber in deep water.
+float gained_phase(float depth) {
+  float t = shallowness(depth);
+  float shallower = 0.06258157147700301 - max(depth, 0.0);  // than where t is held
+  float from = log(1.0 + t) - 0.5 * log(1.0 + t * t) + atan(t);
+  return 1.1319717536774210 - from + 3.0 * max(shallower, 0.0);
+}
+
+// wavenumber: in deep water, rad per radius; begins: gained_phase where the wave begins to feel the ground.
+Shoaling shoaling(float wavenumber, float begins, Shore shore) {
+  Shoaling s;
+  s.phase = 0.0;
+  s.turn = vec2(0.0);
+  if (shore.depth >= shore.felt_depth) return s;
+  float depth = wavenumber * shore.depth;
+  s.phase = (gained_phase(depth) - begins) * shore.per_slope;
+  s.turn = (depth > 0.0 ? shortened(depth) - 1.0 : 0.0) * shore.rise;
+  return s;
+}
+
+// How far over the still water waves run up the land, as a part of the depth at which they are whole.
+const float run_up = 0.1111111111111111;
+
+// How much of its waves a shore leaves, 0..1: a fifth where the still water ends. depth: of the still water; whole_depth: at which
+// they are whole, radii, > 0.
+float left_ashore(float depth, float whole_depth) {
+  float x = clamp((depth / whole_depth + run_up) / (1.0 + run_up), 0.0, 1.0);
+  return x * (2.0 - x);
+}
+
+// Waves as they are at a shore. gradient: of the ground's height, in the axes that the frame has.
+WaveSum held_ashore(WaveSum sum, Frame frame, float depth, vec3 gradient, float whole_depth) {
+  float x = clamp((depth / whole_depth + run_up) / (1.0 + run_up), 0.0, 1.0);
+  float per_height = x > 0.0 ? -2.0 * (1.0 - x) / ((1.0 + run_up) * whole_depth) : 0.0;
+  return attenuate(sum, left_ashore(depth, whole_depth), per_height * vec2(dot(gradient, frame.east), dot(gradient, frame.north)));
+}

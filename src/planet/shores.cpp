@@ -1,0 +1,81 @@
+#include "planet/shores.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "planet/materials.hpp"
+#include "planet/spiral.hpp"
+#include "planet/terrain.hpp"
+
+namespace terrella {
+namespace {
+
+constexpr double steepness_of_no_shore = 0.05, least_steepness = 0.005;
+
+double found_shore_slope(const Scene& scene, double footprint) {
+  constexpr int places = 96;
+  constexpr std::size_t enough = 15;
+  const f64::Terrain terrain = exact_terrain_of(scene);
+  const double level = water_level(scene) / scene.planet.radius;
+  const auto ground_at = [&](const glm::dvec3& direction) {
+    f64::Height height;
+    heights_at(direction, terrain, {&footprint, 1}, {&height, 1});
+    return height;
+  };
+  std::vector<double> slopes;
+  glm::dvec3 last = spiral_direction(0, places);
+  bool last_is_land = ground_at(last).value > level;
+  for (int i = 1; i < places && slopes.size() < enough; ++i) {
+    const glm::dvec3 here = spiral_direction(i, places);
+    const bool is_land = ground_at(here).value > level;
+    if (is_land != last_is_land) {
+      glm::dvec3 land = is_land ? here : last, sea = is_land ? last : here, shore = land;
+      f64::Height found{};
+      for (int step = 0; step < 20; ++step) {
+        shore = glm::normalize(land + sea);
+        found = ground_at(shore);
+        (found.value > level ? land : sea) = shore;
+      }
+      slopes.push_back(glm::length(found.gradient - glm::dot(found.gradient, shore) * shore));
+    }
+    last = here;
+    last_is_land = is_land;
+  }
+  if (slopes.empty()) return steepness_of_no_shore;
+  const auto median = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+  std::nth_element(slopes.begin(), median, slopes.end());
+  return std::max(*median, least_steepness);
+}
+
+// What found_shore_slope depends on, and what it was last: each frame asks for it.
+struct Remembered {
+  decltype(Scene::planet) planet;
+  decltype(Scene::terrain) terrain;
+  double level = -1.0, footprint = 0.0, slope = 0.0;
+};
+
+}  // namespace
+
+double shore_slope(const Scene& scene, double footprint) {
+  if (!has_ground(scene) || !has_water(scene)) return steepness_of_no_shore;
+  static thread_local Remembered last;
+  if (last.level != scene.water.level || last.footprint != footprint || !(last.terrain == scene.terrain) ||
+      !(last.planet == scene.planet))
+    last = {scene.planet, scene.terrain, scene.water.level, footprint, found_shore_slope(scene, footprint)};
+  return last.slope;
+}
+
+double hiding_depth(const Scene& scene, const Sea& sea) {
+  constexpr double thousandth = 6.9;
+  const glm::dvec3 extinction = water_look_of(scene).extinction;
+  const double clearest = std::min({extinction.x, extinction.y, extinction.z});
+  return std::max(thousandth / std::max(clearest, 1e-12), whole_wave_depth(sea));
+}
+
+f64::Shore shore_of(const Scene& scene, const Sea& sea) {
+  return {0.0, {0.0, 0.0}, 1.0 / shore_slope(scene, longest_wave(sea)), hiding_depth(scene, sea)};
+}
+
+}  // namespace terrella

@@ -1,0 +1,20 @@
+// What waves feel of a scene's ground.
+#pragma once
+
+#include "planet/waves.hpp"
+#include "scene/scene.hpp"
+
+namespace terrella {
+
+// How steep the ground usually is where land begins: the median of slopes at shores all over the planet, at least 0.005;
+// 0.05 where there are none. footprint (rad): of what is left out of the ground.
+double shore_slope(const Scene& scene, double footprint);
+
+// Depth (planet radii) from which less than a thousandth of the bottom's light comes up, and no wave feels it.
+double hiding_depth(const Scene& scene, const Sea& sea);
+
+// The ground as the waves of a sea feel it, but for a place's own depth and slope, which are 0. Waves shorter than the
+// longest feel nothing that is finer than that.
+f64::Shore shore_of(const Scene& scene, const Sea& sea);
+
+}  // namespace terrella
