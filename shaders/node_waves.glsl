@@ -10,7 +10,7 @@ layout(std140) uniform NearWaveBlock {
   vec4 wave_east;      // xyz: axes there
   vec4 wave_north;
   vec4 wave_breaking;  // x: Jacobian below which water is foam; y: softness; z: choppiness
-  vec4 wave_shore;     // x: 1 over the usual slope of shores; y: depth below which waves feel the ground; z: variance of the slopes of all
+  vec4 wave_shore;     // x: 1 over the usual slope of shores; y: depth below which waves feel the ground; z: variance of the slopes of all; w: first layer of noise that tears foam, or -1
   ivec4 wave_axes;     // of the regions that reach here, axes around which they lie; w: how many they are, 0..3
   ivec4 waves_begin;   // where the waves of each region begin in the first list, and the last end
   ivec4 waves_go_on;   // the same of the second list

@@ -28,16 +28,52 @@ struct Unseen {
   float heights;  // the same of their heights
 };
 
-// Part of the water that is surf: crests that are high beside the depth of the still water, and what runs up the land.
-float surf_part(float height, float depth, float unseen_heights, float whole_depth) {
+// What tears foam into lace as it ages: between cells of noise it stays the longest.
+struct FoamLace {
+  float noise;  // -1..1
+  float shown;  // how much of it pixels can show, 0..1
+};
+
+// Of two layers of noise, the finer one as far as it is shown.
+float lace_of(float coarse, float fine, float fine_shown) {
+  float part = 0.8 * fine_shown;
+  return (coarse + part * fine) / (1.0 + part);
+}
+
+// How much of a crest's foam is left on average until the next one.
+const float mean_foam_left = 0.2292;
+
+// How much foam is left of a crest that broke, 0..1, after the angle by which its wave has run on. height: of the water; before: a
+// quarter of the period earlier.
+float foam_left(float height, float before) {
+  const float front = 0.5, lasting = 1.2;
+  float since = atan(before, height);
+  float age = since < -front ? since + 6.283185307179586 : since;
+  return age < 0.0 ? 1.0 - smoothstep(0.0, front, -age) : exp(-age / lasting);
+}
+
+// Part of the water that is surf: foam of waves whose crests are high beside the depth of the still water. sum: held by the ground;
+// unseen_heights: variance of the heights of waves that are not shown.
+float surf_part(WaveSum sum, float depth, float unseen_heights, float whole_depth) {
   float softness = 0.04 * whole_depth;
-  return part_below((height - 0.25 * depth) * inversesqrt(softness * softness + unseen_heights));
+  float crest = sum.height * sum.height + sum.before * sum.before;
+  float breaks = part_below((sqrt(crest) - 0.45 * depth) * inversesqrt(softness * softness + unseen_heights));
+  float known = crest / (crest + 2.0 * unseen_heights + 1.0e-30);
+  return breaks * mix(mean_foam_left, foam_left(sum.height, sum.before), known);
+}
+
+// Foam as it lies: torn where there is less of it.
+float laced(float foam, FoamLace lace) {
+  float width = 0.02 + 1.2 * foam;
+  float torn = min(2.0 * foam, 1.0) * (1.0 - smoothstep(0.2 * width, width, abs(lace.noise)));
+  return mix(foam, torn, lace.shown);
 }
 
 // A sea whose waves are shown in part. up: unit, of the still water; to_eye: unit; depth: of the still water; sum: held by the ground; whole_depth: at which waves are whole.
-Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, Unseen unseen, Breaking breaking, float whole_depth, WaterLook look) {
+Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, Unseen unseen, Breaking breaking, FoamLace lace, float whole_depth, WaterLook look) {
   vec3 n = wave_normal(sum);
-  float broken = broken_part(n.z, unseen.slopes, breaking) + surf_part(sum.height, depth, unseen.heights, whole_depth);
+  float surf = laced(surf_part(sum, depth, unseen.heights, whole_depth), lace);
+  float broken = broken_part(n.z, unseen.slopes, breaking) + surf;
   float own = look.roughness * look.roughness;
   n = normalize(n);
   Water w;

@@ -2,3 +2,11 @@
 #include "deep_nodes.glsl"
 #include "wavy_nodes.glsl"
 #include "no_felt_ground.glsl"
+
+// No surf.
+FoamLace foam_lace(vec3 up, float footprint) {
+  FoamLace lace;
+  lace.noise = 0.0;
+  lace.shown = 0.0;
+  return lace;
+}

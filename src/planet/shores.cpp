@@ -78,4 +78,13 @@ f64::Shore shore_of(const Scene& scene, const Sea& sea) {
   return {0.0, {0.0, 0.0}, 1.0 / shore_slope(scene, longest_wave(sea)), hiding_depth(scene, sea)};
 }
 
+int foam_layer(const Scene& scene, const Sea& sea) {
+  double frequency = scene.terrain.frequency;
+  for (int i = 0; i + 1 < scene.terrain.octaves; ++i) {
+    if (frequency * whole_wave_depth(sea) > 3.0) return i;
+    frequency *= scene.terrain.lacunarity;
+  }
+  return -1;
+}
+
 }  // namespace terrella

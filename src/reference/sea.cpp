@@ -28,6 +28,8 @@ Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
       whole_depth_(whole_wave_depth(sea_)),
       over_nodes_(has_nodes(ground_technique(scene))),
       shore_(shore_of(scene, sea_)),
+      foam_layer_(foam_layer(scene, sea_)),
+      terrain_(exact_terrain_of(scene)),
       ground_(ground) {
   if (ground != nullptr && !sea_.short_waves.empty()) felt_ground_.emplace(scene, longest_wave(sea_) / 16.0);
   const auto bend = [](const auto& wave) {
@@ -206,6 +208,15 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
     if (last) break;
   }
   return {range, away, true};
+}
+
+f64::FoamLace Sea::lace_at(const glm::dvec3& still) const {
+  if (ground_ == nullptr || foam_layer_ < 0) return {0.0, 0.0};
+  const auto layer = [&](int i) {
+    const double frequency = terrain_.frequency * std::pow(terrain_.lacunarity, i);
+    return f64::height_noise(still, terrain_, i, frequency).value;
+  };
+  return {f64::lace_of(layer(foam_layer_), layer(foam_layer_ + 1), 1.0), 1.0};
 }
 
 double Sea::left_over(double depth) const {

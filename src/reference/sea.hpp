@@ -34,6 +34,8 @@ class Sea {
   [[nodiscard]] double whole_depth() const { return whole_depth_; }
   [[nodiscard]] bool has_waves() const { return !sea_.is_calm(); }
   [[nodiscard]] const f64::Breaking& breaking() const { return sea_.breaking; }
+  // What tears the foam of surf at a still place.
+  [[nodiscard]] f64::FoamLace lace_at(const glm::dvec3& still) const;
   [[nodiscard]] double amplitude() const { return sea_.amplitude; }
 
   // Depth of the still water over the ground at a direction (unit); at most 0: land.
@@ -90,6 +92,8 @@ class Sea {
   double radius_, whole_depth_;
   bool over_nodes_;
   f64::Shore shore_;
+  int foam_layer_;
+  f64::Terrain terrain_;
   double most_shift_ = 0.0;  // no water moves further aside
   // No wave changes its slope, nor how it moves water aside, faster.
   double most_curvature_ = 0.0, most_squeeze_ = 0.0;
