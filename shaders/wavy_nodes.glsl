@@ -9,8 +9,8 @@ in vec4 carried_slope;
 in float carried_before;
 in vec4 carried_stretch;
 
-// What tears the foam of surf at a direction (unit).
-FoamLace foam_lace(vec3 up, float footprint);
+// What tears the foam of surf at the pixel.
+FoamLace foam_lace(float footprint);
 
 vec3 water_place() { return still_from_eye; }
 
@@ -58,6 +58,6 @@ void main() {
   Unseen other;
   other.slopes = left * left * unseen;
   other.heights = 0.5 * left * left * sea.y * sea.y * part * part * part * part;
-  Water water = open_water(at.up, -normalize(surface_from_eye), depth, at.sum, at.frame, other, sea_breaking(), foam_lace(at.up, footprint), sea.w, water_look());
+  Water water = open_water(at.up, -normalize(surface_from_eye), depth, at.sum, at.frame, other, sea_breaking(), foam_lace(footprint), sea.w, water_look());
   emit_water(water, at.up, at.sum.height);
 }

@@ -4,7 +4,7 @@
 #include "no_felt_ground.glsl"
 
 // No surf.
-FoamLace foam_lace(vec3 up, float footprint) {
+FoamLace foam_lace(float footprint) {
   FoamLace lace;
   lace.noise = 0.0;
   lace.shown = 0.0;

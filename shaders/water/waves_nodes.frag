@@ -5,7 +5,7 @@
 #include "felt_ground.glsl"
 
 // Two layers of the ground's noise, as small as the sea's waves are high.
-FoamLace foam_lace(vec3 up, float footprint) {
+FoamLace foam_lace(float footprint) {
   FoamLace lace;
   lace.noise = 0.0;
   lace.shown = 0.0;

@@ -84,7 +84,8 @@ void WaveLists::set(const Frame& frame) {
   block.north = glm::vec4(glm::dvec4(near.axes.north, 0.0));
   const f64::Breaking& breaking = frame.sea.breaking;
   block.breaking = glm::vec4(breaking.fold, breaking.softness, breaking.choppiness, 0.0);
-  block.shore = glm::vec4(shore.per_slope, shore.felt_depth, frame.sea.slope_variance, foam_layer(frame.scene, frame.sea));
+  block.shore =
+      glm::vec4(shore.per_slope, shore.felt_depth, frame.sea.slope_variance, foam_layer(frame.scene, frame.sea));
   std::vector<Region> here;
   for (int axis = 0; axis < axes; ++axis) {
     const auto& waves = near.waves.at(static_cast<std::size_t>(axis));

@@ -94,9 +94,8 @@ double water_of_short_waves(const Scene& scene, const Sea& sea, const glm::dvec3
   const double depth = has_ground(scene) ? still - ground : whole_wave_depth(sea);
   f64::Shore shore = shore_of(scene, sea);
   shore.depth = depth;
-  return highest_sea(scene, ground) +
-         f64::left_ashore(depth, whole_wave_depth(sea)) *
-             water_over(near_waves(sea, direction, shore.felt_depth), shore);
+  return highest_sea(scene, ground) + f64::left_ashore(depth, whole_wave_depth(sea)) *
+                                          water_over(near_waves(sea, direction, shore.felt_depth), shore);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace terrella {
 
-// How steep the ground usually is where land begins: the median of slopes at shores all over the planet, at least 0.005;
-// 0.05 where there are none. footprint (rad): of what is left out of the ground.
+// How steep the ground usually is where land begins: the median of slopes at shores all over the planet, at least
+// 0.005; 0.05 where there are none. footprint (rad): of what is left out of the ground.
 double shore_slope(const Scene& scene, double footprint);
 
 // Depth (planet radii) from which less than a thousandth of the bottom's light comes up, and no wave feels it.
@@ -17,8 +17,8 @@ double hiding_depth(const Scene& scene, const Sea& sea);
 // longest feel nothing that is finer than that.
 f64::Shore shore_of(const Scene& scene, const Sea& sea);
 
-// The first of two layers of the ground's noise that tear the foam of surf: as small as the waves are high. -1 where the
-// scene has none.
+// The first of two layers of the ground's noise that tear the foam of surf: as small as the waves are high. -1 where
+// the scene has none.
 int foam_layer(const Scene& scene, const Sea& sea);
 
 }  // namespace terrella

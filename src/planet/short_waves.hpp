@@ -16,8 +16,9 @@ struct NearWaves {
   std::array<std::vector<f64::ShortWave>, 3> waves;
 };
 
-// eye: not the planet's centre; felt_depth: as of f64::Shore. Phases are worked out in double precision: of waves of half a metre on a planet as
-// large as the Earth they are known to a hundred thousandth of a turn, after thirty years as well.
+// eye: not the planet's centre; felt_depth: as of f64::Shore. Phases are worked out in double precision: of waves of
+// half a metre on a planet as large as the Earth they are known to a hundred thousandth of a turn, after thirty years
+// as well.
 NearWaves near_waves(const Sea& sea, const glm::dvec3& eye, double felt_depth);
 
 // A wave as an anchor (unit) sees it, along its axes.

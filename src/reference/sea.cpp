@@ -80,8 +80,8 @@ f64::Shore Sea::shore_at(const glm::dvec3& direction, const f64::Frame& frame) c
   f64::Shore shore = shore_;
   const f64::Height ground = felt_ground_->height_at(direction);
   shore.depth = radius_ - 1.0 - ground.value;
-  shore.rise = shore.per_slope *
-               glm::dvec2(glm::dot(ground.gradient, frame.east), glm::dot(ground.gradient, frame.north));
+  shore.rise =
+      shore.per_slope * glm::dvec2(glm::dot(ground.gradient, frame.east), glm::dot(ground.gradient, frame.north));
   return shore;
 }
 

@@ -149,8 +149,13 @@ TEST(SinglePrecision, ShortWaves) {
     a.bend = rounded(places.between(-1.7, 1.7));
     const double reach = 600.0 / exact(a.wavenumber);
     const glm::vec2 arcs(places.between(-reach, reach), places.between(-reach, reach));
-    const f64::ShortWave b = {glm::dvec2(a.direction), exact(a.wavenumber), exact(a.phase),
-                              exact(a.amplitude),      exact(a.pinch),      exact(a.bend),  0.0};
+    const f64::ShortWave b = {glm::dvec2(a.direction),
+                              exact(a.wavenumber),
+                              exact(a.phase),
+                              exact(a.amplitude),
+                              exact(a.pinch),
+                              exact(a.bend),
+                              0.0};
     f32::WaveSum sum = f32::no_waves();
     f64::WaveSum expected = f64::no_waves();
     f32::add_short_wave(sum, f32::course_of(a, arcs), a, 1.0F);
@@ -160,6 +165,15 @@ TEST(SinglePrecision, ShortWaves) {
     ASSERT_LT(glm::distance(glm::dvec2(sum.shift), expected.shift), off * b.pinch) << i;
     ASSERT_LT(glm::distance(glm::dvec2(sum.slope), expected.slope), off * b.amplitude * b.wavenumber) << i;
     ASSERT_NEAR(sum.stretch_en, expected.stretch_en, off * b.pinch * b.wavenumber) << i;
+  }
+}
+
+TEST(SinglePrecision, Shoaling) {
+  Places places(41U);
+  for (int i = 0; i < tries; ++i) {
+    const float depth = rounded(std::pow(10.0, places.between(-4.0, 1.0)));
+    ASSERT_NEAR(f32::gained_phase(depth), f64::gained_phase(exact(depth)), 8.0 * u) << depth;
+    ASSERT_NEAR(f32::shortened(depth), f64::shortened(exact(depth)), 8.0 * u * 4.0) << depth;
   }
 }
 

@@ -196,7 +196,8 @@ TEST_P(OnGpu, ShortWaves) {
   const auto out = test::run_on_gpu(
       {"noise", "short_waves"},
       "ShortWave w; w.direction = vec2(cos(a.z), sin(a.z)); w.wavenumber = 1.0e6; w.phase = a.w; w.amplitude = 1.0e-8;"
-      "w.pinch = 0.5e-8; w.bend = b.x; WaveSum s = no_waves(); w.begins = 0.0; add_short_wave(s, course_of(w, a.xy * 1.0e-5), w, b.y);"
+      "w.pinch = 0.5e-8; w.bend = b.x; WaveSum s = no_waves(); w.begins = 0.0; add_short_wave(s, course_of(w, a.xy * "
+      "1.0e-5), w, b.y);"
       "result = vec4(s.height * 1.0e8, s.slope * 100.0, s.stretch_en * 100.0);",
       in);
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -208,6 +209,22 @@ TEST_P(OnGpu, ShortWaves) {
     ASSERT_NEAR(out[i].x, s.height * 1e8, 0.03);
     ASSERT_LT(glm::distance(glm::dvec2(out[i].y, out[i].z), s.slope * 100.0), 0.04);
     ASSERT_NEAR(out[i].w, s.stretch_en * 100.0, 0.02);
+  }
+}
+
+TEST_P(OnGpu, Shoaling) {
+  const auto in = inputs([](test::Places& p) {
+    return std::pair(glm::vec4(p.between(-0.5, 4.0), p.between(-1.0, 1.0), p.between(-1.0, 1.0), 0.0), glm::vec4(0.0));
+  });
+  const auto out = test::run_on_gpu(
+      {"noise", "open_water"},
+      "result = vec4(gained_phase(a.x), shortened(a.x), foam_left(a.y, a.z), left_ashore(a.x, 1.0));", in);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const glm::dvec4 a(in[2 * i]);
+    ASSERT_NEAR(out[i].x, f64::gained_phase(a.x), 2e-3);
+    ASSERT_NEAR(out[i].y, f64::shortened(a.x), 1e-3);
+    ASSERT_NEAR(out[i].z, f64::foam_left(a.y, a.z), 2e-3);
+    ASSERT_NEAR(out[i].w, f64::left_ashore(a.x, 1.0), 1e-5);
   }
 }
 

@@ -66,6 +66,26 @@ const SeaView views[] = {{"from_0_5_m", 0.5, -4.0, 6.0, 34.4},    {"from_2_m", 2
 INSTANTIATE_TEST_SUITE_P(From, SeasOfWind, testing::ValuesIn(views),
                          [](const auto& view) { return std::string(view.param.name); });
 
+// Waves run into a bay, break and run up its beach; the reference takes four rays a pixel, and their specks of foam are
+// as small as a pixel.
+TEST(SeaOfWind, RunsUpABeach) {
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Scene scene = sea_of_wind(8.0, 30.0, 139.2395);
+  scene.camera.latitude = 24.0;
+  scene.camera.heading = 0.0;
+  scene.camera.pitch = -8.0;
+  const Image exact = reference::light(scene, test::asked_for<reference::Options>());
+  Renderer renderer;
+  for (const Ground ground : ground_models()) {
+    const double found =
+        psnr(test::cut_off(test::light_of(with_ground(scene, ground), renderer)), test::cut_off(exact));
+    if (test::prints()) std::printf("%-14s%-16s %.1f dB\n", "beach", std::string(name_of(ground)).c_str(), found);
+    EXPECT_GE(found, 23.4) << name_of(ground);
+  }
+}
+
 double mean_of_light(const Image& light) {
   double sum = 0.0;
   for (std::size_t i = 0; i < light.pixels.size(); i += 4) sum += std::min(light.pixels[i + 1], 1.0F);

@@ -176,9 +176,13 @@ TEST(NearWaves, DoNotJumpWhenTheEyeMoves) {
         const auto& waves = near.waves.at(static_cast<std::size_t>(axis));
         if (waves.empty() || parts[axis] <= 0.0) continue;
         const f64::ShortWave& w = waves[n];
-        const f32::ShortWave wave = {glm::vec2(w.direction),      static_cast<float>(w.wavenumber),
-                                     static_cast<float>(w.phase), static_cast<float>(w.amplitude),
-                                     static_cast<float>(w.pinch), static_cast<float>(w.bend), 0.0F};
+        const f32::ShortWave wave = {glm::vec2(w.direction),
+                                     static_cast<float>(w.wavenumber),
+                                     static_cast<float>(w.phase),
+                                     static_cast<float>(w.amplitude),
+                                     static_cast<float>(w.pinch),
+                                     static_cast<float>(w.bend),
+                                     0.0F};
         f32::WaveSum sum = f32::no_waves();
         f32::add_short_wave(sum, f32::course_of(wave, arcs), wave, static_cast<float>(parts[axis]));
         height += sum.height;
