@@ -35,7 +35,7 @@ Bands scene_bands() {
   b.mountain = terrain_mountain_color.rgb;
   b.snow = terrain_snow_color.rgb;
   b.seabed = terrain_seabed_color.rgb;
-  b.sea = water_color.rgb;
+  b.sea = water_depths.rgb;
   b.sand_height = terrain_sand_height;
   b.mountain_height = terrain_mountain_height;
   b.snow_height = terrain_snow_height;

@@ -13,6 +13,7 @@ void emit_ground(vec3 offset, GroundAt ground, float rise, float grain) {
   vec3 up = place / radius;
   vec3 normal = mean_normal(up, radius, ground, rise, -normalize(offset));
   vec3 albedo = grained(ground_albedo(up, ground, normal, scene_bands()), grain);
+  albedo = wetted(albedo, wet_part(ground.height, water_extinction.w), water_refraction_index);
   // Just under water the light has come through some of it; further down the water hides the ground.
   albedo *= transmitted(water_extinction.rgb, -2.0 * ground_map_scale.w * ground.height);
   SceneLight scene = scene_light();

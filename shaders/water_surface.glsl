@@ -7,7 +7,7 @@ in vec3 surface_from_eye;
 
 WaterLook water_look() {
   WaterLook look;
-  look.color = water_color.rgb;
+  look.color = water_depths.rgb;
   look.extinction = water_extinction.rgb;
   look.foam_color = water_foam_color.rgb;
   look.foam = water_foam;

@@ -57,6 +57,19 @@ vec3 ground_albedo(vec3 up, GroundAt ground, vec3 normal, Bands bands) {
   return color * mix(1.0, 0.5 + 0.8 * ground.openness, bands.hollows);
 }
 
+// Colour of a ground under a film of water, in which light is thrown back to it many times (Angstrom 1925, "The albedo of various
+// surfaces of ground"). part: of the ground that is wet, 0..1.
+vec3 wetted(vec3 albedo, float part, float refraction_index) {
+  float n2 = refraction_index * refraction_index;
+  return mix(albedo, albedo / (n2 * (1.0 - albedo) + albedo), part);
+}
+
+// Part of the ground that waves keep wet. height: over the still water; wet_height: to which they run up, of the same unit; 0: nothing
+// is wetted.
+float wet_part(float height, float wet_height) {
+  return wet_height > 0.0 ? 1.0 - smoothstep(0.7, 1.4, height / wet_height) : 0.0;
+}
+
 // What noise finer than the map of the ground, -1..1, makes of its colour.
 vec3 grained(vec3 albedo, float grain) {
   return albedo * (1.0 + 0.35 * grain);

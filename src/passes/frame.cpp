@@ -11,6 +11,7 @@
 #include "planet/cube_grid.hpp"
 #include "planet/icosphere.hpp"
 #include "planet/materials.hpp"
+#include "planet/shores.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 
@@ -101,7 +102,9 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.ripple = glm::vec4(needs.ripple_layers > 0 ? scene.water.ripples : 0.0, icosphere_edge(needs.water_level),
                            needs.water == Water::calm ? sea.slope_variance : 0.0, 0.0);
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);
-  block.water_extinction = vector(water_look_of(scene).extinction);
+  const f64::WaterLook water = water_look_of(scene);
+  block.water_extinction = vector(water.extinction, wet_height(scene, sea));
+  block.water_depths = vector(water.color);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);
   block.slopes = glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)), unseen_slopes(scene, needs.ground_spacing),
                            white_from_afar(needs, sea), 0.0);

@@ -38,6 +38,7 @@ struct FrameBlock {
   glm::vec4 sea;
   glm::vec4 ripple, ripple_turn;
   glm::vec4 water_extinction;
+  glm::vec4 water_depths;
   glm::vec4 levels;
   glm::vec4 slopes;
   glm::vec4 sky_glow;

@@ -11,6 +11,7 @@
 #include "planet/rings.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
+#include "planet/water_medium.hpp"
 
 namespace terrella {
 namespace {
@@ -56,7 +57,7 @@ f64::Bands bands_of(const Scene& scene) {
   bands.mountain = linear(from.mountain_color);
   bands.snow = linear(from.snow_color);
   bands.seabed = linear(from.seabed_color);
-  bands.sea = linear(scene.water.color);
+  bands.sea = water_look_of(scene).color;
   bands.sand_height = from.sand_height / radius;
   bands.mountain_height = from.mountain_height / radius;
   bands.snow_height = from.snow_height / radius;
@@ -86,11 +87,17 @@ f64::Clouds clouds_of(const Scene& scene) {
 f64::WaterLook water_look_of(const Scene& scene) {
   const auto& from = scene.water;
   f64::WaterLook look;
-  look.color = linear(from.color);
-  look.extinction = f64::extinction_of(linear(from.tint)) * (scene.planet.radius / from.clarity);
+  if (const auto medium = medium_of(scene)) {
+    look.color = color_of_depths(*medium);
+    look.extinction = extinction_of(*medium) * scene.planet.radius;
+    look.clarity = 1.0 / look.extinction.g;
+  } else {
+    look.color = linear(from.color);
+    look.extinction = f64::extinction_of(linear(from.tint)) * (scene.planet.radius / from.clarity);
+    look.clarity = from.clarity / scene.planet.radius;
+  }
   look.foam_color = linear(from.foam_color);
   look.foam = from.foam;
-  look.clarity = from.clarity / scene.planet.radius;
   look.roughness = from.roughness;
   look.refraction_index = from.refraction_index;
   look.shininess = from.shininess;

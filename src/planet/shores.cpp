@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "planet/materials.hpp"
+#include "planet/needs.hpp"
 #include "planet/spiral.hpp"
 #include "planet/terrain.hpp"
 
@@ -17,7 +18,8 @@ constexpr double steepness_of_no_shore = 0.05, least_steepness = 0.005;
 double found_shore_slope(const Scene& scene, double footprint) {
   constexpr int places = 96;
   constexpr std::size_t enough = 15;
-  const f64::Terrain terrain = exact_terrain_of(scene);
+  f64::Terrain terrain = exact_terrain_of(scene);
+  terrain.ice.sine = f64::polar_sine(90.0);  // no ice, whose edges are no shores
   const double level = water_level(scene) / scene.planet.radius;
   const auto ground_at = [&](const glm::dvec3& direction) {
     f64::Height height;
@@ -76,6 +78,11 @@ double hiding_depth(const Scene& scene, const Sea& sea) {
 
 f64::Shore shore_of(const Scene& scene, const Sea& sea) {
   return {0.0, {0.0, 0.0}, 1.0 / shore_slope(scene, longest_wave(sea)), hiding_depth(scene, sea)};
+}
+
+double wet_height(const Scene& scene, const Sea& sea) {
+  const bool run_up = !sea.is_calm() && has_nodes(ground_technique(scene));
+  return run_up ? f64::run_up * whole_wave_depth(sea) : 0.0;
 }
 
 int foam_layer(const Scene& scene, const Sea& sea) {

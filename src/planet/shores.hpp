@@ -17,6 +17,9 @@ double hiding_depth(const Scene& scene, const Sea& sea);
 // longest feel nothing that is finer than that.
 f64::Shore shore_of(const Scene& scene, const Sea& sea);
 
+// Height over the still water (planet radii) up to which waves keep the ground wet; 0 where they don't run up.
+double wet_height(const Scene& scene, const Sea& sea);
+
 // The first of two layers of the ground's noise that tear the foam of surf: as small as the waves are high. -1 where
 // the scene has none.
 int foam_layer(const Scene& scene, const Sea& sea);

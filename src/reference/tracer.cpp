@@ -11,6 +11,7 @@
 #include "planet/milky_band.hpp"
 #include "planet/needs.hpp"
 #include "planet/rings.hpp"
+#include "planet/shores.hpp"
 #include "planet/spheres.hpp"
 #include "planet/sun.hpp"
 #include "planet/terrain.hpp"
@@ -38,6 +39,7 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
       light_(light_of(scene, pose_)),
       bands_(bands_of(scene)),
       look_(water_look_of(scene)),
+      wet_height_(wet_height(scene, make_sea(scene, view.seconds))),
       rings_(rings_of(scene)),
       small_lights_(scene, view, pose_, light_),
       piece_(0.25 * pose_.pixel_angle),
@@ -113,9 +115,13 @@ f64::LightAt Tracer::light_over(const SeenGround& ground) const {
   return f64::light_at(ground.up, ground.radius - 1.0, light_);
 }
 
+glm::dvec3 Tracer::albedo_of(const SeenGround& ground) const {
+  const glm::dvec3 dry = f64::ground_albedo(ground.up, ground.at, ground.normal, bands_);
+  return f64::wetted(dry, f64::wet_part(ground.at.height, wet_height_), look_.refraction_index);
+}
+
 glm::dvec3 Tracer::light_of_ground(const SeenGround& ground, const f64::LightAt& at) const {
-  return f64::ground_light(f64::ground_albedo(ground.up, ground.at, ground.normal, bands_), ground.normal, at,
-                           shade_at(ground.radius * ground.up), light_);
+  return f64::ground_light(albedo_of(ground), ground.normal, at, shade_at(ground.radius * ground.up), light_);
 }
 
 glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const {
@@ -123,8 +129,7 @@ glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at
   if (!way) return f64::light_through(glm::dvec3(0.0), at.up, bottomless, bottomless, at, shade, look_, light_);
   SeenGround bottom = ground_at(refracted.at(*way));
   bottom.at.height = std::min(bottom.at.height, 0.0);
-  return f64::light_through(f64::ground_albedo(bottom.up, bottom.at, bottom.normal, bands_), bottom.normal,
-                            -bottom.at.height, *way, at, shade, look_, light_);
+  return f64::light_through(albedo_of(bottom), bottom.normal, -bottom.at.height, *way, at, shade, look_, light_);
 }
 
 glm::dvec3 Tracer::light_mirrored(const Ray& mirrored, const f64::LightAt& at) const {

@@ -63,6 +63,7 @@ class Tracer {
   [[nodiscard]] double shade_at(const glm::dvec3& place) const;
   [[nodiscard]] f64::LightAt light_over(const SeenGround& ground) const;
   // at: there.
+  [[nodiscard]] glm::dvec3 albedo_of(const SeenGround& ground) const;
   [[nodiscard]] glm::dvec3 light_of_ground(const SeenGround& ground, const f64::LightAt& at) const;
   [[nodiscard]] glm::dvec3 light_of_water(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const;
   [[nodiscard]] glm::dvec3 light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const;
@@ -78,6 +79,7 @@ class Tracer {
   f64::SceneLight light_;
   f64::Bands bands_;
   f64::WaterLook look_;
+  double wet_height_;
   f64::Rings rings_;
   std::optional<Ground> ground_;
   std::optional<Sea> sea_;

@@ -100,7 +100,9 @@ void match_level(Scene& scene, const Scene& before, const Locks& locked) {
 
 bool is_for_chance(const Parameter& parameter) {
   const bool is_file = parameter.type == Type::File;  // the user's own, which no preset has
-  return !is_of_view(parameter.group) && parameter.path != "planet.radius" && !is_file;
+  // What a metre of water does to light says something only together with the planet's size.
+  const bool is_of_size = parameter.path == "planet.radius" || parameter.path == "water.medium";
+  return !is_of_view(parameter.group) && !is_of_size && !is_file;
 }
 
 Scene surprise(const Scene& scene, const Locks& locked, std::uint32_t seed) {

@@ -26,6 +26,7 @@ Scene sea_of_wind(double wind, double height, double longitude) {
   scene.clouds.model = scene.stars.model = 0;
   scene.water.ripples = 0.0;
   scene.water.foam = 0.6;
+  scene.waves = Scene().waves;
   scene.waves.count = 20;
   scene.waves.spectrum = choice("waves.spectrum", "wind");
   scene.waves.wind = wind;
