@@ -31,9 +31,9 @@ bool same_in(std::string_view group, const Scene& a, const Scene& b) {
 }
 
 // One preset for each content that a group has: most leave waves and stars as they are, and would outweigh the others.
-// But rings are the exception, and are to stay it.
+// But rings are the exception, and are to stay it; and waves, of which each sea has its own, would be the rule.
 std::vector<const Scene*> kinds_of(std::string_view group) {
-  const bool as_often_as_there = group == "rings";
+  const bool as_often_as_there = group == "rings" || group == "waves";
   std::vector<const Scene*> kinds;
   for (const Preset& preset : presets()) {
     const auto same = [&](const Scene* kind) { return same_in(group, *kind, preset.scene); };
