@@ -15,7 +15,7 @@ layout(std140) uniform FrameBlock {
   vec4 ripple;             // x: steepness, 0 where there are none; y: edge of the sea's mesh, rad; z: variance of the slopes of waves that are not drawn as such
   vec4 ripple_turn;        // x, y: cosine and sine of the angle by which the first layer's gradients are turned; z: layers
   vec4 water_extinction;   // xyz: of light in water, per radius; w: height over the still water that waves keep wet, radii; 0: none
-  vec4 water_depths;       // xyz: colour of deep water
+  vec4 water_depths;       // xyz: colour of deep water; w: length after which light takes its tint, radii
   vec4 levels;             // x: sine of the latitude from which snow lies at the water's edge, above 1: nowhere; y: lift of the water's mesh, radii, or of nodes parts of the distance; z: level of the map of the ground that pixels can show; w: most that the sea of nodes is lifted, radii
   vec4 slopes;             // x: unseen_slopes of the map of the ground and the pixels, y: of the ground's mesh; z: part of the sea that is foam by waves that are not drawn
   vec4 sky_glow;           // xyz: light of the glow that a low sun spreads over the sky of the eye, 0 outside of the air

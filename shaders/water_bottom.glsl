@@ -23,6 +23,6 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
   refine_land(found, grain, bottom, w.depth);
   vec3 normal = mean_normal(bottom, 1.0 + max(found.height, 0.0), found, layer_rise(found), -refracted);
   vec3 albedo = grained(ground_albedo(bottom, found, normal, scene_bands()), grain);
-  albedo = wetted(albedo, wet_part(w.depth > 0.0 ? 0.0 : found.height, water_extinction.w), water_refraction_index);
+  albedo = wetted(albedo, wet_part(found.height, water_extinction.w), water_refraction_index);
   return light_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
 }

@@ -11,7 +11,7 @@ WaterLook water_look() {
   look.extinction = water_extinction.rgb;
   look.foam_color = water_foam_color.rgb;
   look.foam = water_foam;
-  look.clarity = water_clarity;
+  look.clarity = water_depths.w;
   look.roughness = water_roughness;
   look.refraction_index = water_refraction_index;
   look.shininess = water_shininess;

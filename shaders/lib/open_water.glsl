@@ -47,7 +47,7 @@ const float mean_foam_left = 0.2292;
 // quarter of the period earlier.
 float foam_left(float height, float before) {
   const float front = 0.5, lasting = 1.2;
-  float since = atan(before, height);
+  float since = atan(before, height + 1.0e-30);  // 0 where there is no wave
   float age = since < -front ? since + 6.283185307179586 : since;
   return age < 0.0 ? 1.0 - smoothstep(0.0, front, -age) : exp(-age / lasting);
 }

@@ -21,19 +21,21 @@ float shallowness(float depth) {
   return max(sqrt(tanh(clamp(depth, 0.0, 10.0))), 0.25);
 }
 
-// How many times as short a wave is over a ground, 1..4: Eckart's solution (1952) of the dispersion relation, 5 % off at the most.
+// How many times as short a wave is over a ground, 1..4: Eckart's solution (1952) of the dispersion relation, 5 % off at the
+// most. depth: times the wavenumber in deep water.
 float shortened(float depth) {
   return 1.0 / shallowness(depth);
 }
 
-// Integral over depth of how much more there is of a wave than in deep water, from a depth on, rad: what its phase gains on
-// the way up a slope of 1. depth: times the wavenumber in deep water.
-float gained_phase(float depth) {
-  float t = shallowness(depth);
-  float shallower = 0.06258157147700301 - max(depth, 0.0);  // than where t is held
-  float from = log(1.0 + t) - 0.5 * log(1.0 + t * t) + atan(t);
-  return 1.1319717536774210 - from + 3.0 * max(shallower, 0.0);
+// Integral over depth, from one on, of shortened less 1: what a wave's phase gains on the way up a slope of 1, rad. t: shallowness
+// of the depth.
+float gained_since(float depth, float t) {
+  float before_held = 0.06258157147700301 - depth;  // where shallowness is held
+  float whole = 1.0 + t;
+  float deeper = 0.5 * log(whole * whole / (1.0 + t * t)) + atan(t);
+  return 1.1319717536774210 - deeper + 3.0 * max(before_held, 0.0);
 }
+float gained_phase(float depth) { return gained_since(depth, shallowness(depth)); }
 
 // wavenumber: in deep water, rad per radius; begins: gained_phase where the wave begins to feel the ground.
 Shoaling shoaling(float wavenumber, float begins, Shore shore) {
@@ -42,24 +44,29 @@ Shoaling shoaling(float wavenumber, float begins, Shore shore) {
   s.turn = vec2(0.0);
   if (shore.depth >= shore.felt_depth) return s;
   float depth = wavenumber * shore.depth;
-  s.phase = (gained_phase(depth) - begins) * shore.per_slope;
-  s.turn = (depth > 0.0 ? shortened(depth) - 1.0 : 0.0) * shore.rise;
+  float t = shallowness(depth);
+  s.phase = (gained_since(depth, t) - begins) * shore.per_slope;
+  s.turn = (1.0 / t - 1.0) * shore.rise;
   return s;
 }
 
 // How far over the still water waves run up the land, as a part of the depth at which they are whole.
 const float run_up = 0.1111111111111111;
 
-// How much of its waves a shore leaves, 0..1: a fifth where the still water ends. depth: of the still water; whole_depth: at which
-// they are whole, radii, > 0.
+// Where a depth lies between what waves reach, 0, and where they are whole, 1. depth: of the still water; whole_depth: > 0.
+float part_ashore(float depth, float whole_depth) {
+  return clamp((depth / whole_depth + run_up) / (1.0 + run_up), 0.0, 1.0);
+}
+
+// How much of its waves a shore leaves, 0..1: a fifth where the still water ends.
 float left_ashore(float depth, float whole_depth) {
-  float x = clamp((depth / whole_depth + run_up) / (1.0 + run_up), 0.0, 1.0);
+  float x = part_ashore(depth, whole_depth);
   return x * (2.0 - x);
 }
 
 // Waves as they are at a shore. gradient: of the ground's height, in the axes that the frame has.
 WaveSum held_ashore(WaveSum sum, Frame frame, float depth, vec3 gradient, float whole_depth) {
-  float x = clamp((depth / whole_depth + run_up) / (1.0 + run_up), 0.0, 1.0);
+  float x = part_ashore(depth, whole_depth);
   float per_height = x > 0.0 ? -2.0 * (1.0 - x) / ((1.0 + run_up) * whole_depth) : 0.0;
   return attenuate(sum, left_ashore(depth, whole_depth), per_height * vec2(dot(gradient, frame.east), dot(gradient, frame.north)));
 }

@@ -71,7 +71,7 @@ std::string quantity_to_edit(const Parameter& parameter, double value) {
 std::optional<double> parse_quantity(std::string_view typed, const Parameter& parameter, double shown) {
   typed = trimmed(typed);
   // It may begin with a digit itself: 1/m.
-  if (!is_metric(parameter) && typed.ends_with(parameter.unit))
+  if (!is_metric(parameter) && typed.ends_with(text_of(' ', parameter.unit)))
     typed = trimmed(typed.substr(0, typed.size() - parameter.unit.size()));
   std::size_t digits = typed.size();
   while (digits > 0 && !ends_a_number(typed[digits - 1])) --digits;

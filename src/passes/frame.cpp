@@ -104,7 +104,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.ripple_turn = glm::vec4(turned(scene.water.ripple_speed, view.seconds), needs.ripple_layers, 0.0);
   const f64::WaterLook water = water_look_of(scene);
   block.water_extinction = vector(water.extinction, wet_height(scene, sea));
-  block.water_depths = vector(water.color);
+  block.water_depths = vector(water.color, water.clarity);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);
   block.slopes = glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)), unseen_slopes(scene, needs.ground_spacing),
                            white_from_afar(needs, sea), 0.0);

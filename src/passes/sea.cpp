@@ -29,7 +29,7 @@ WaveBlock wave_block(const Sea& sea) {
 
 // The first short wave that vertices of nodes don't carry. spacing: of vertices, rad; of deep nodes every second is
 // drawn. Straight lines between eight of them in a wave miss it by a thirteenth at the most; over ground that is felt
-// waves are up to four times as short.
+// waves are shorter, most not half as long.
 int first_not_carried(const Sea& sea, NodeLayer layer, double spacing) {
   constexpr double vertices_a_wave = 8.0;
   const double apart = (layer == NodeLayer::deep_sea ? 2.0 : 4.0) * spacing;

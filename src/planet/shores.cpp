@@ -1,6 +1,7 @@
 #include "planet/shores.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -73,7 +74,9 @@ double hiding_depth(const Scene& scene, const Sea& sea) {
   constexpr double thousandth = 6.9;
   const glm::dvec3 extinction = water_look_of(scene).extinction;
   const double clearest = std::min({extinction.x, extinction.y, extinction.z});
-  return std::max(thousandth / std::max(clearest, 1e-12), whole_wave_depth(sea));
+  // A quarter of its length deep, a wave is 5 % shorter than where nothing is felt.
+  const double felt = sea.short_waves.empty() ? 0.0 : 0.5 * std::numbers::pi / sea.short_waves.front().wavenumber;
+  return std::max({thousandth / std::max(clearest, 1e-12), whole_wave_depth(sea), felt});
 }
 
 f64::Shore shore_of(const Scene& scene, const Sea& sea) {
@@ -81,15 +84,17 @@ f64::Shore shore_of(const Scene& scene, const Sea& sea) {
 }
 
 double wet_height(const Scene& scene, const Sea& sea) {
-  const bool run_up = !sea.is_calm() && has_nodes(ground_technique(scene));
+  const bool run_up = has_water(scene) && !sea.is_calm() && has_nodes(ground_technique(scene));
   return run_up ? f64::run_up * whole_wave_depth(sea) : 0.0;
 }
 
 int foam_layer(const Scene& scene, const Sea& sea) {
-  double frequency = scene.terrain.frequency;
-  for (int i = 0; i + 1 < scene.terrain.octaves; ++i) {
+  constexpr double highest_frequency = 0.5 / finest_footprint;
+  const auto& terrain = scene.terrain;
+  double frequency = terrain.frequency;
+  for (int i = 0; i + 1 < terrain.octaves && frequency * terrain.lacunarity < highest_frequency; ++i) {
     if (frequency * whole_wave_depth(sea) > 3.0) return i;
-    frequency *= scene.terrain.lacunarity;
+    frequency *= terrain.lacunarity;
   }
   return -1;
 }

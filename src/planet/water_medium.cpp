@@ -12,7 +12,7 @@ constexpr WaterMedium coastal = {{0.33, 0.12, 0.16}, {0.009, 0.011, 0.012}};
 constexpr WaterMedium lagoon = {{0.27, 0.065, 0.040}, {0.005, 0.008, 0.011}};
 constexpr WaterMedium alien = {{0.03, 0.35, 0.12}, {0.012, 0.010, 0.015}};
 
-// Of particles much larger than a wave of light, by its length.
+// Of the particles of the sea, which are of all sizes: by one over the length of a wave of light, an empirical law.
 constexpr glm::dvec3 of_particles = {550.0 / 610.0, 1.0, 550.0 / 465.0};
 
 }  // namespace

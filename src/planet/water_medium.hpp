@@ -21,8 +21,8 @@ std::optional<WaterMedium> medium_of(const Scene& scene);
 // What daylight loses on its way, 1/m: what is scattered ahead goes on with it.
 glm::dvec3 extinction_of(const WaterMedium& medium);
 
-// What deep water throws back of the light that falls on it (Morel and Prieur 1977, "Analysis of variations in ocean
-// color"): 0.33 times the part of what is lost that is scattered back.
+// What deep water throws back of the light that falls on it: 0.33 times (Morel and Prieur 1977, "Analysis of variations
+// in ocean color") the part of what is lost that is scattered back (Gordon et al. 1975).
 glm::dvec3 color_of_depths(const WaterMedium& medium);
 
 }  // namespace terrella

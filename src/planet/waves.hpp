@@ -83,9 +83,9 @@ f64::Wave in_region(const RegionalWave& wave, int region);
 // Length (planet radii) of the longest wave; 0 where there are none.
 double longest_wave(const Sea& sea);
 
-// Depth (planet radii) from which waves no longer feel the ground: a few of their heights, and so deep that at a place
-// of less depth no trough reaches down to the ground. Waves are held by smoothstep(0, whole, depth), which at a depth d
-// is at most 9/8 d / whole.
+// Depth (planet radii) from which the ground holds waves back no longer: a few of their heights. Over a ground of nodes
+// by left_ashore, which lets them run up the land; else by smoothstep(0, whole, depth), which at a depth d is at most
+// 9/8 d / whole: so no trough reaches down to the ground.
 double whole_wave_depth(const Sea& sea);
 
 }  // namespace terrella

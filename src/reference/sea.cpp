@@ -1,6 +1,7 @@
 #include "reference/sea.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "planet/needs.hpp"
 #include "planet/shores.hpp"
@@ -167,8 +168,8 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
   const f64::Frame frame = f64::frame_at(direction);
   const bool feels = least_depth < shore_.felt_depth && felt_ground_;
   const f64::Shore shore = feels ? shore_at(direction, frame) : shore_;
-  // The felt ground, without fine layers, is nowhere near much steeper than here.
-  const double steepest = 0.5 + 1.5 * glm::length(shore.rise);
+  // Nine in ten shores of a planet are less than twice as steep as most, and fine layers are not felt.
+  const double steepest = std::max(3.0, 2.0 * glm::length(shore.rise));
   Range range = {-sea_.highest, sea_.highest};
   // From how far water may come to lie there. Waves that are short beside that may stand at any height; of the longer
   // ones slope and squeeze at the middle tell how they rise, and how far they move water: so a bound on the way gives a
@@ -224,7 +225,8 @@ double Sea::left_over(double depth) const {
 }
 
 Range Sea::depths_around(const glm::dvec3& direction, double distance) const {
-  if (ground_ == nullptr) return {bottomless, bottomless};
+  constexpr double no_ground = std::numeric_limits<double>::infinity();
+  if (ground_ == nullptr) return {no_ground, no_ground};
   const double still = radius_ - 1.0;
   const Range ground = ground_->heights_over({direction, distance}, {still - shore_.felt_depth, still});
   return {still - ground.most, still - ground.least};

@@ -62,8 +62,8 @@ class Tracer {
   [[nodiscard]] Sample measured(const Ray& ray, const std::optional<Surface>& surface) const;
   [[nodiscard]] double shade_at(const glm::dvec3& place) const;
   [[nodiscard]] f64::LightAt light_over(const SeenGround& ground) const;
-  // at: there.
   [[nodiscard]] glm::dvec3 albedo_of(const SeenGround& ground) const;
+  // at: there.
   [[nodiscard]] glm::dvec3 light_of_ground(const SeenGround& ground, const f64::LightAt& at) const;
   [[nodiscard]] glm::dvec3 light_of_water(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const;
   [[nodiscard]] glm::dvec3 light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const;

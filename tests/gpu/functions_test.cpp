@@ -226,6 +226,10 @@ TEST_P(OnGpu, Shoaling) {
     ASSERT_NEAR(out[i].z, f64::foam_left(a.y, a.z), 2e-3);
     ASSERT_NEAR(out[i].w, f64::left_ashore(a.x, 1.0), 1e-5);
   }
+  // Where there is no wave, as beyond the run-up.
+  const auto calm = test::run_on_gpu({"noise", "open_water"}, "result = vec4(foam_left(a.x, a.y));",
+                                     std::vector<glm::vec4>(2, glm::vec4(0.0F)));
+  EXPECT_EQ(calm.front().x, 1.0F);
 }
 
 TEST_P(OnGpu, ToneAndSrgb) {

@@ -67,7 +67,7 @@ TEST(Shoaling, SlopesAreDerivativesOnABeach) {
   for (int i = 0; i < 300; ++i) {
     const PlaneShore shore = {places.between(0.01, 0.06), places.between(1e-5, 2e-4)};
     const f64::ShortWave wave = any_wave(places, felt_depth);
-    const glm::dvec2 at = {0.0, shore.waterline - places.between(-0.5, 20.0) * 1e-7 / shore.slope};
+    const glm::dvec2 at = {0.0, shore.waterline - places.between(-0.4, 20.0) * 1e-7 / shore.slope};
     const double step = 1e-4 / wave.wavenumber;
     const f64::WaveSum sum = sum_at(shore, wave, at);
     const auto height = [&](double east, double north) {
@@ -78,19 +78,21 @@ TEST(Shoaling, SlopesAreDerivativesOnABeach) {
   }
 }
 
-// Whatever a wave comes from ahead, it arrives nearly along the slope.
+// From wherever before the shore a wave comes, it arrives nearly along the slope.
 TEST(Shoaling, TurnsWavesToTheShore) {
   const PlaneShore shore = {0.03, 1e-4};
-  const f64::ShortWave wave = {{std::sin(1.0), std::cos(1.0)},     2e5, 0.0, 1e-8, 0.0, 0.0,
-                               f64::gained_phase(2e5 * felt_depth)};
-  const auto heading = [&](double depth) {
-    const glm::dvec2 at = {0.0, shore.waterline - depth / shore.slope};
-    const glm::dvec2 d = f64::ashore(f64::course_of(wave, at), wave, shore.at(at, felt_depth)).direction;
-    return std::atan2(d.x, d.y);
-  };
-  EXPECT_NEAR(heading(2.1e-5), 1.0, 1e-6);  // where it is deep
-  EXPECT_LT(heading(5e-6), 0.9);
-  EXPECT_LT(heading(4e-7), 0.3);
+  for (const double from : {-1.0, -0.4, 0.2, 0.7, 1.0}) {
+    const f64::ShortWave wave = {{std::sin(from), std::cos(from)},   2e5, 0.0, 1e-8, 0.0, 0.0,
+                                 f64::gained_phase(2e5 * felt_depth)};
+    const auto heading = [&](double depth) {
+      const glm::dvec2 at = {0.0, shore.waterline - depth / shore.slope};
+      const glm::dvec2 d = f64::ashore(f64::course_of(wave, at), wave, shore.at(at, felt_depth)).direction;
+      return std::atan2(d.x, d.y);
+    };
+    EXPECT_NEAR(heading(2.1e-5), from, 1e-6);  // where it is deep
+    EXPECT_LT(std::abs(heading(5e-6)), 0.9 * std::abs(from));
+    EXPECT_LT(std::abs(heading(4e-7)), 0.3 * std::abs(from));
+  }
 }
 
 TEST(Shoaling, BeginsWithoutAJump) {
@@ -102,6 +104,8 @@ TEST(Shoaling, BeginsWithoutAJump) {
       return sum_at(shore, wave, {0.0, shore.waterline - depth / shore.slope}).height / wave.amplitude;
     };
     EXPECT_NEAR(height(felt_depth * (1.0 - 1e-9)), height(felt_depth * (1.0 + 1e-9)), 1e-4);
+    // It is at least a quarter of the wave's length: nor does it change its direction or length by much.
+    EXPECT_LT(f64::shortened(std::max(wave.wavenumber * felt_depth, 0.5 * std::numbers::pi)), 1.05);
   }
 }
 
@@ -134,7 +138,7 @@ TEST(Surf, IsWhereCrestsAreHighBesideTheDepth) {
   const auto surf = [&](double depth, double unseen) { return f64::surf_part(sum, depth, unseen, 0.4); };
   EXPECT_GT(surf(0.1, 0.0), 0.99);
   EXPECT_LT(surf(0.4, 0.0), 0.01);
-  EXPECT_EQ(surf(10.0, 0.01), surf(20.0, 0.01));
+  EXPECT_GT(surf(0.3, 0.01), surf(0.3, 0.0) + 0.1);  // by chance, of waves that are not shown
   // From afar as much of it is white as on average.
   sum.height = 0.0;
   EXPECT_NEAR(surf(0.0, 1.0), 0.5 * f64::mean_foam_left, 1e-3);

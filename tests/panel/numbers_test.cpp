@@ -95,6 +95,13 @@ TEST(Quantity, ReadsBackWhatIsShownToBeEdited) {
   }
 }
 
+TEST(Quantity, ReadsUnitsThatBeginWithADigit) {
+  const Parameter& absorption = *find_parameter("water.absorption_red");
+  EXPECT_EQ(read_quantity("0.5 1/m", absorption, 1.0), 0.5);
+  EXPECT_EQ(read_quantity("0.1/m", absorption, 1.0), 0.1);
+  EXPECT_EQ(read_quantity("21", absorption, 1.0), 21.0);
+}
+
 TEST(Quantity, ReadsUnitsAndHoldsTheRange) {
   const Parameter& radius = *find_parameter("planet.radius");
   EXPECT_EQ(read_quantity(" 6371 km ", radius, 1.0), 6371000.0);
