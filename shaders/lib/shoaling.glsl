@@ -16,26 +16,30 @@ struct Shoaling {
   vec2 turn;    // added to its direction in deep water (unit): the sum is as many times as long as the wave is shorter
 };
 
-// Root of the hyperbolic tangent of a depth times a wavenumber in deep water, from where the wave is a quarter as long.
+// Depth times wavenumber in deep water at which a wave is a quarter as long as there, and no shorter: water in which it would be
+// runs up and down the land as a sheet.
+const float shortest_depth = 0.06258157147700301;
+
+// Root of the hyperbolic tangent of a depth times a wavenumber in deep water, 0.25..1.
 float shallowness(float depth) {
   return max(sqrt(tanh(clamp(depth, 0.0, 10.0))), 0.25);
 }
 
-// How many times as short a wave is over a ground, 1..4: Eckart's solution (1952) of the dispersion relation, 5 % off at the
-// most. depth: times the wavenumber in deep water.
-float shortened(float depth) {
-  return 1.0 / shallowness(depth);
+// How many times as short a wave of such a shallowness is, 1..4: Eckart's solution (1952) of the dispersion relation, 5 % off at the
+// most down to shortest_depth; at the still waterline 1 again. depth: times the wavenumber in deep water.
+float shortened_at(float depth, float shallow) {
+  return 1.0 + (1.0 / shallow - 1.0) * smoothstep(0.0, shortest_depth, depth);
 }
+float shortened(float depth) { return shortened_at(depth, shallowness(depth)); }
 
-// Integral over depth, from one on, of shortened less 1: what a wave's phase gains on the way up a slope of 1, rad. t: shallowness
-// of the depth.
-float gained_since(float depth, float t) {
-  float before_held = 0.06258157147700301 - depth;  // where shallowness is held
-  float whole = 1.0 + t;
-  float deeper = 0.5 * log(whole * whole / (1.0 + t * t)) + atan(t);
-  return 1.1319717536774210 - deeper + 3.0 * max(before_held, 0.0);
+// Integral over depth, from one on, of shortened less 1: what a wave's phase gains on the way up a slope of 1, rad.
+float gained_at(float depth, float shallow) {
+  float y = clamp(depth / shortest_depth, 0.0, 1.0);
+  float sheet = 3.0 * shortest_depth * (0.5 - y * y * y * (1.0 - 0.5 * y));
+  float whole = 1.0 + shallow;
+  return 1.1319717536774210 - 0.5 * log(whole * whole / (1.0 + shallow * shallow)) - atan(shallow) + sheet;
 }
-float gained_phase(float depth) { return gained_since(depth, shallowness(depth)); }
+float gained_phase(float depth) { return gained_at(depth, shallowness(depth)); }
 
 // wavenumber: in deep water, rad per radius; begins: gained_phase where the wave begins to feel the ground.
 Shoaling shoaling(float wavenumber, float begins, Shore shore) {
@@ -44,9 +48,9 @@ Shoaling shoaling(float wavenumber, float begins, Shore shore) {
   s.turn = vec2(0.0);
   if (shore.depth >= shore.felt_depth) return s;
   float depth = wavenumber * shore.depth;
-  float t = shallowness(depth);
-  s.phase = (gained_since(depth, t) - begins) * shore.per_slope;
-  s.turn = (1.0 / t - 1.0) * shore.rise;
+  float shallow = shallowness(depth);
+  s.phase = (gained_at(depth, shallow) - begins) * shore.per_slope;
+  s.turn = (shortened_at(depth, shallow) - 1.0) * shore.rise;
   return s;
 }
 

@@ -179,7 +179,8 @@ Sea::Around Sea::whole_waves_around(const glm::dvec3& direction, double chord, d
     f64::WaveSum felt = f64::no_waves();
     double any_height = 0.0, any_shift = 0.0, curvature = 0.0, squeeze = 0.0;
     each_wave(direction, away, [&](const f64::Wave& wave, double part, double most) {
-      const double shorter = feels ? 1.0 + steepest * (f64::shortened(wave.wavenumber * least_depth) - 1.0) : 1.0;
+      const double shallowest = std::max(wave.wavenumber * least_depth, f64::shortest_depth);
+      const double shorter = feels ? 1.0 + steepest * (f64::shortened(shallowest) - 1.0) : 1.0;
       const double wavenumber = shorter * wave.wavenumber;
       const bool is_short = wavenumber * away > 1.0;
       const double any = is_short ? most : most - part;

@@ -83,7 +83,7 @@ TEST(SeaOfWind, RunsUpABeach) {
     const double found =
         psnr(test::cut_off(test::light_of(with_ground(scene, ground), renderer)), test::cut_off(exact));
     if (test::prints()) std::printf("%-14s%-16s %.1f dB\n", "beach", std::string(name_of(ground)).c_str(), found);
-    EXPECT_GE(found, 23.4) << name_of(ground);
+    EXPECT_GE(found, 23.1) << name_of(ground);
   }
 }
 
