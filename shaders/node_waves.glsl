@@ -7,7 +7,7 @@
 // than any driver takes.
 layout(std140) uniform NearWaveBlock {
   vec4 wave_anchor;    // xyz: below the eye, unit; w: height of the eye over the sea
-  vec4 wave_east;      // xyz: axes there
+  vec4 wave_east;      // xyz: axes there; w: downwind along them
   vec4 wave_north;
   vec4 wave_breaking;  // x: Jacobian below which water is foam; y: softness; z: choppiness
   vec4 wave_shore;     // x: 1 over the usual slope of shores; y: depth below which waves feel the ground; z: variance of the slopes of all; w: first layer of noise that tears foam, or -1

@@ -19,6 +19,7 @@ Breaking sea_breaking() {
   b.fold = wave_breaking.x;
   b.softness = wave_breaking.y;
   b.choppiness = wave_breaking.z;
+  b.downwind = vec2(wave_east.w, wave_north.w);
   return b;
 }
 

@@ -221,6 +221,12 @@ f64::FoamLace Sea::lace_at(const glm::dvec3& still) const {
   return {f64::lace_of(layer(foam_layer_), layer(foam_layer_ + 1), 1.0), 1.0};
 }
 
+f64::Breaking Sea::breaking_at(const WaterAt& water) const {
+  f64::Breaking breaking = sea_.breaking;
+  breaking.downwind = downwind_at(sea_, water.still, water.frame);
+  return breaking;
+}
+
 double Sea::left_over(double depth) const {
   return over_nodes_ ? f64::left_ashore(depth, whole_depth_) : f64::left_by_ground(depth, whole_depth_);
 }

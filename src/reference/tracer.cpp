@@ -84,7 +84,7 @@ Tracer::SeenWater Tracer::water_at(const glm::dvec3& place) const {
   if (sea_->has_waves()) {
     if (has_nodes(ground_technique(scene_)))
       return {at, f64::open_water(at.still, glm::normalize(pose_.eye - place), at.depth, at.sum, at.frame, {0.0, 0.0},
-                                  sea_->breaking(), sea_->lace_at(at.still), sea_->whole_depth(), look_)};
+                                  sea_->breaking_at(at), sea_->lace_at(at.still), sea_->whole_depth(), look_)};
     const double amplitude = std::max(sea_->amplitude(), 1e-9);
     return {at, f64::wavy_water(at.still, at.depth, at.sum, at.frame, amplitude, sea_->whole_depth(), look_)};
   }
