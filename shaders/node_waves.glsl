@@ -1,6 +1,6 @@
 // The waves of a sea over a ground of nodes: long ones as on any sphere, short ones told from below the eye.
 #include "frame_block.glsl"
-#include "lib/short_waves.glsl"
+#include "lib/caustics.glsl"
 #include "wave_block.glsl"
 
 // Two vec4s a wave; those of a region one after another, the longest first (src/passes/wave_lists.cpp). No block is longer
@@ -38,6 +38,7 @@ struct SeaAt {
   Frame frame;
   Shore shore;
   WaveSum sum;
+  Lens lens;
   float seen;  // twice the variance of slopes of the short waves in the sum
 };
 
@@ -56,6 +57,7 @@ SeaAt still_sea(vec3 from_eye) {
   at.shore.per_slope = wave_shore.x;
   at.shore.felt_depth = wave_shore.y;
   at.sum = no_waves();
+  at.lens = no_lens();
   at.seen = 0.0;
   return at;
 }
@@ -77,6 +79,7 @@ bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footp
   if (feels_ground()) {
     course = ashore(course, wave, at.shore);
     shown = min(shown, part * wave_weight(motion.z * length(course.direction), footprint));
+    add_lens(at.lens, course, wave, shown);
   }
   add_short_wave(at.sum, course, wave, shown);
   float slope = shown * shape.x * motion.z;

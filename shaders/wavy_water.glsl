@@ -4,6 +4,8 @@
 
 in vec3 still_direction;
 
+float gathered_on_bottom(vec3 sunward, float way) { return 1.0; }
+
 void main() {
   vec3 up = normalize(still_direction);
   vec4 map = textureLod(ground_map, up, levels.z);

@@ -165,6 +165,12 @@ vec3 light_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at,
   return mix(light_of_depths(at, shade, look, scene), lit, left);
 }
 
+// What light_through gains where waves gather sunlight on the bottom by a factor. way: of the light from there to the surface.
+vec3 light_gathered(float factor, vec3 albedo, vec3 normal, float depth, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
+  vec3 left = transmitted(look.extinction, way + depth / max(dot(at.up, scene.sun), 0.3));
+  return albedo * at.sun * left * (0.6 * (factor - 1.0) * shade * mean_cosine(normal, scene.sun));
+}
+
 // Light that the surface sends to the eye, before the air. ray: unit, from the eye; below: what comes from under it;
 // mirrored: what is seen in it; shade: part of the sunlight left by the clouds. Where there is land (depth at most 0) the
 // surface is not seen.

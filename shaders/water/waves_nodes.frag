@@ -4,6 +4,17 @@
 #include "wavy_nodes.glsl"
 #include "felt_ground.glsl"
 
+// Where the bottom's light is too faint for its pattern to be seen, all is as if there were none.
+float gathered_on_bottom(vec3 sunward, float way) {
+  float left = exp(-2.0 * way * min(water_extinction.r, min(water_extinction.g, water_extinction.b)));
+  if (left < 0.02 || way <= 0.0) return 1.0;
+  SeaAt above = still_sea(still_from_eye + sunward);
+  float footprint = pixel_footprint(above.up, surface_from_eye, 0.1);
+  vec3 parts = parts_of_regions(above.up);
+  for (int k = 0; k < wave_axes.w; ++k) add_short_waves(above, k, part_of_region(k, parts), 0, all_short_waves, footprint);
+  return gathered_light(above.lens, wave_part_over_ground(felt_depth()), way, water_refraction_index);
+}
+
 // Two layers of the ground's noise, as small as the sea's waves are high.
 FoamLace foam_lace(float footprint) {
   FoamLace lace;

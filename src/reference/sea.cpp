@@ -227,6 +227,19 @@ f64::Breaking Sea::breaking_at(const WaterAt& water) const {
   return breaking;
 }
 
+double Sea::gathered_at(const glm::dvec3& still, double way, double refraction_index) const {
+  if (!felt_ground_) return 1.0;
+  const f64::Frame frame = f64::frame_at(still);
+  const f64::Shore shore = shore_at(still, frame);
+  f64::Lens lens = f64::no_lens();
+  each_wave(still, 0.0, [&](const f64::Wave& wave, double part, double) {
+    if (part <= 0.0 || !sea_.is_short(wave)) return;
+    const f64::ShortWave seen = seen_from(wave, still, frame, shore.felt_depth);
+    f64::add_lens(lens, f64::ashore(f64::course_of(seen, {0.0, 0.0}), seen, shore), seen, part);
+  });
+  return f64::gathered_light(lens, left_over(shore.depth), way, refraction_index);
+}
+
 double Sea::left_over(double depth) const {
   return over_nodes_ ? f64::left_ashore(depth, whole_depth_) : f64::left_by_ground(depth, whole_depth_);
 }

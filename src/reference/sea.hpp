@@ -38,6 +38,10 @@ class Sea {
   [[nodiscard]] f64::FoamLace lace_at(const glm::dvec3& still) const;
   [[nodiscard]] double amplitude() const { return sea_.amplitude; }
 
+  // How many times as much sunlight waves gather on the bottom, where it enters the water at a still place (unit) and
+  // goes on for a way.
+  [[nodiscard]] double gathered_at(const glm::dvec3& still, double way, double refraction_index) const;
+
   // Depth of the still water over the ground at a direction (unit); at most 0: land.
   [[nodiscard]] double depth_at(const glm::dvec3& direction) const;
 

@@ -129,7 +129,13 @@ glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at
   if (!way) return f64::light_through(glm::dvec3(0.0), at.up, bottomless, bottomless, at, shade, look_, light_);
   SeenGround bottom = ground_at(refracted.at(*way));
   bottom.at.height = std::min(bottom.at.height, 0.0);
-  return f64::light_through(albedo_of(bottom), bottom.normal, -bottom.at.height, *way, at, shade, look_, light_);
+  const glm::dvec3 albedo = albedo_of(bottom);
+  const double depth = -bottom.at.height;
+  const glm::dvec3 light = f64::light_through(albedo, bottom.normal, depth, *way, at, shade, look_, light_);
+  const glm::dvec3 down = f64::refracted_ray(-light_.sun, bottom.up, look_);
+  const double sun_way = depth / f64::dive_of(down, bottom.up);
+  const double factor = sea_->gathered_at(glm::normalize(bottom.up - sun_way * down), sun_way, look_.refraction_index);
+  return light + f64::light_gathered(factor, albedo, bottom.normal, depth, *way, at, shade, look_, light_);
 }
 
 glm::dvec3 Tracer::light_mirrored(const Ray& mirrored, const f64::LightAt& at) const {

@@ -232,6 +232,21 @@ TEST_P(OnGpu, Shoaling) {
   EXPECT_EQ(calm.front().x, 1.0F);
 }
 
+TEST_P(OnGpu, Caustics) {
+  const auto in = inputs([](test::Places& p) {
+    return std::pair(glm::vec4(p.between(-2.0, 2.0), p.between(-1.0, 1.0), p.between(-2.0, 2.0), p.between(0.0, 4.0)),
+                     glm::vec4(p.between(0.0, 5.0), 0.0, 0.0, 0.0));
+  });
+  const auto out = test::run_on_gpu({"noise", "caustics"},
+                                    "Lens lens; lens.power = a.xyz; lens.spread = a.w;"
+                                    "result = vec4(gathered_light(lens, 0.5, b.x, 1.333));",
+                                    in);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const glm::dvec4 a(in[2 * i]);
+    ASSERT_NEAR(out[i].x, f64::gathered_light({glm::dvec3(a), a.w}, 0.5, in[2 * i + 1].x, 1.333), 1e-4);
+  }
+}
+
 TEST_P(OnGpu, ToneAndSrgb) {
   const auto in = inputs([](test::Places& p) {
     return std::pair(glm::vec4(std::pow(10.0, p.between(-4.0, 4.0)), p.between(0.0, 1.0), 0.0, 0.0), glm::vec4(0.0F));

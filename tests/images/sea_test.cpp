@@ -87,6 +87,28 @@ TEST(SeaOfWind, RunsUpABeach) {
   }
 }
 
+// The pattern of sunlight on the sand of a lagoon lies where the reference has it.
+TEST(SeaOfWind, GathersSunlightOnTheBottom) {
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Scene scene = find_preset("lagoon")->scene;
+  scene.clouds.model = 0;
+  scene.waves.count = 12;
+  scene.waves.shortest = 2.0;
+  scene.camera.altitude = scene.water.level + 12.0;
+  scene.camera.pitch = -50.0;
+  const Image exact = reference::light(scene, test::asked_for<reference::Options>());
+  Scene still = scene;
+  still.waves.count = 0;
+  Renderer renderer;
+  const double found = psnr(test::cut_off(test::light_of(scene, renderer)), test::cut_off(exact));
+  const double without = psnr(test::cut_off(test::light_of(still, renderer)), test::cut_off(exact));
+  if (test::prints()) std::printf("lagoon: %.1f dB, of a still sea %.1f dB\n", found, without);
+  EXPECT_GE(found, 34.0);  // measured: 34.2
+  EXPECT_GE(found, without + 15.0);
+}
+
 double mean_of_light(const Image& light) {
   double sum = 0.0;
   for (std::size_t i = 0; i < light.pixels.size(); i += 4) sum += std::min(light.pixels[i + 1], 1.0F);
