@@ -105,7 +105,7 @@ TEST(SeaOfWind, GathersSunlightOnTheBottom) {
   const double found = psnr(test::cut_off(test::light_of(scene, renderer)), test::cut_off(exact));
   const double without = psnr(test::cut_off(test::light_of(still, renderer)), test::cut_off(exact));
   if (test::prints()) std::printf("lagoon: %.1f dB, of a still sea %.1f dB\n", found, without);
-  EXPECT_GE(found, 34.0);  // measured: 34.2
+  EXPECT_GE(found, 35.0);  // measured: 35.2
   EXPECT_GE(found, without + 15.0);
 }
 
