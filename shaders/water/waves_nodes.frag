@@ -6,8 +6,8 @@
 
 // Where the bottom's light is too faint for its pattern to be seen, all is as if there were none.
 float gathered_on_bottom(vec3 sunward, float way) {
-  float left = exp(-2.0 * way * min(water_extinction.r, min(water_extinction.g, water_extinction.b)));
-  if (left < 0.02 || way <= 0.0) return 1.0;
+  vec3 left = transmitted(water_extinction.rgb, 2.0 * way);
+  if (max(left.r, max(left.g, left.b)) < 0.02 || way <= 0.0) return 1.0;
   SeaAt above = still_sea(still_from_eye + sunward);
   float footprint = pixel_footprint(above.up, surface_from_eye, 0.1);
   vec3 parts = parts_of_regions(above.up);
