@@ -7,7 +7,7 @@
 // than any driver takes.
 layout(std140) uniform NearWaveBlock {
   vec4 wave_anchor;    // xyz: below the eye, unit; w: height of the eye over the sea
-  vec4 wave_east;      // xyz: axes there; w: downwind along them
+  vec4 wave_east;      // xyz: axes there
   vec4 wave_north;
   vec4 wave_breaking;  // x: Jacobian below which water is foam; y: softness; z: choppiness
   vec4 wave_shore;     // x: 1 over the usual slope of shores; y: depth below which waves feel the ground; z: variance of the slopes of all; w: first layer of noise that tears foam, or -1
@@ -38,6 +38,7 @@ struct SeaAt {
   Frame frame;
   Shore shore;
   WaveSum sum;
+  bool gathers;  // whether the lens is asked for
   Lens lens;
   float seen;  // twice the variance of slopes of the short waves in the sum
 };
@@ -57,6 +58,7 @@ SeaAt still_sea(vec3 from_eye) {
   at.shore.per_slope = wave_shore.x;
   at.shore.felt_depth = wave_shore.y;
   at.sum = no_waves();
+  at.gathers = false;
   at.lens = no_lens();
   at.seen = 0.0;
   return at;
@@ -79,7 +81,7 @@ bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footp
   if (feels_ground()) {
     course = ashore(course, wave, at.shore);
     shown = min(shown, part * wave_weight(motion.z * length(course.direction), footprint));
-    add_lens(at.lens, course, wave, shown);
+    if (at.gathers) add_lens(at.lens, course, wave, shown);
   }
   add_short_wave(at.sum, course, wave, shown);
   float slope = shown * shape.x * motion.z;

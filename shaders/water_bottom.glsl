@@ -29,9 +29,12 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
   vec3 albedo = grained(ground_albedo(bottom, found, normal, scene_bands()), grain);
   albedo = wetted(albedo, wet_part(found.height, water_extinction.w), water_refraction_index);
   vec3 light = light_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
+  vec3 sunlight = sunlight_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
+  float shown = pattern_shown(sunlight);
+  if (shown <= 0.0 || depth <= 0.0) return light;
   vec3 down = refracted_ray(-scene.sun, at.up, water_look());
   float sun_dive = dive_of(down, at.up);
   vec3 sunward = depth * (refracted / dive - down / sun_dive);
   float factor = gathered_on_bottom(sunward - dot(sunward, at.up) * at.up, depth / sun_dive);
-  return light + light_gathered(factor, albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
+  return light + shown * (factor - 1.0) * sunlight;
 }

@@ -6,7 +6,7 @@
 
 in vec3 still_from_eye;
 in vec4 carried_slope;
-in float carried_before;
+in vec2 carried_before;
 in vec4 carried_stretch;
 
 // What tears the foam of surf at the pixel.
@@ -19,14 +19,14 @@ Breaking sea_breaking() {
   b.fold = wave_breaking.x;
   b.softness = wave_breaking.y;
   b.choppiness = wave_breaking.z;
-  b.downwind = vec2(wave_east.w, wave_north.w);
   return b;
 }
 
 WaveSum carried_waves() {
   WaveSum sum;
   sum.height = carried_slope.x;
-  sum.before = carried_before;
+  sum.before = carried_before.x;
+  sum.stretch_before = carried_before.y;
   sum.slope = carried_slope.yz;
   sum.stretch_nn = carried_slope.w;
   sum.shift = carried_stretch.xy;

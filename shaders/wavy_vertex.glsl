@@ -6,7 +6,7 @@ out vec3 still_from_eye;
 out vec3 surface_from_eye;
 // What the vertices carry of the waves: pixels go on with the others. x: height; y, z: slope; w: stretch_nn of WaveSum
 out vec4 carried_slope;
-out float carried_before;
+out vec2 carried_before;  // x: before of WaveSum; y: stretch_before
 out vec4 carried_stretch;  // x, y: shift; z, w: stretch_ee, stretch_en, and as much is stretch_ne
 
 // As the ground leaves them.
@@ -21,7 +21,7 @@ void main() {
   vec3 parts = parts_of_regions(at.up);
   for (int k = 0; k < wave_axes.w; ++k) add_short_waves(at, k, part_of_region(k, parts), 0, first_of_pixel, footprint);
   carried_slope = vec4(at.sum.height, at.sum.slope, at.sum.stretch_nn);
-  carried_before = at.sum.before;
+  carried_before = vec2(at.sum.before, at.sum.stretch_before);
   carried_stretch = vec4(at.sum.shift, at.sum.stretch_ee, at.sum.stretch_en);
   for (int k = 0; k < wave_axes.w; ++k)
     add_short_waves(at, k, part_of_region(k, parts), first_of_pixel, all_short_waves, footprint);

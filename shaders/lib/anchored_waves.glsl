@@ -55,5 +55,6 @@ void add_anchored_wave(inout WaveSum sum, vec3 v, Frame frame, vec3 anchor, vec3
   float rise = wave.amplitude * wave.wavenumber * turn.x;
   float stretch_along = fade_slope * wave.pinch * turn.x - pinch * wave.wavenumber * turn.y;
   float stretch_across = sway * along * per_across;
-  add_swell(sum, d, wave.amplitude * turn.y, wave.amplitude * turn.x, rise, sway, stretch_along, stretch_across);
+  add_swell(sum, d, wave.amplitude * turn.y, rise, sway, stretch_along, stretch_across,
+            vec2(wave.amplitude, -wave.pinch * wave.wavenumber) * turn.x);
 }

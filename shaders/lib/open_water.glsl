@@ -13,7 +13,6 @@ struct Breaking {
   float fold;        // Jacobian of the surface below which water is foam
   float softness;    // by how much it differs from place to place, > 0
   float choppiness;  // Q: what a slope's deviation is to be multiplied by for that of the Jacobian
-  vec2 downwind;     // unit, along the axes of the waves' sum
 };
 
 // Part of the water that is foam where the surface has a Jacobian, but for waves that are not shown, whose slopes have a
@@ -27,9 +26,8 @@ float broken_part(float jacobian, float unseen, Breaking breaking) {
 const float left_after_quarter = 0.5;
 const float left_after_half = 0.25;
 
-// Foam where the surface has a Jacobian and what is left of where it was below the fold before. slope: of the waves shown.
-float whitecaps_at(float jacobian, vec2 slope, float unseen, Breaking breaking) {
-  float quarter_before = 1.0 - breaking.choppiness * dot(slope, breaking.downwind);
+// Foam where the surface has a Jacobian, and what is left of where it was below the fold before; as for broken_part.
+float whitecaps_at(float jacobian, float quarter_before, float unseen, Breaking breaking) {
   float half_before = 2.0 - jacobian;
   return min(broken_part(jacobian, unseen, breaking) + left_after_quarter * broken_part(quarter_before, unseen, breaking) +
              left_after_half * broken_part(half_before, unseen, breaking), 1.0);
@@ -86,7 +84,7 @@ float laced(float foam, FoamLace lace) {
 Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, Unseen unseen, Breaking breaking, FoamLace lace, float whole_depth, WaterLook look) {
   vec3 n = wave_normal(sum);
   float surf = laced(surf_part(sum, depth, unseen.heights, whole_depth), lace);
-  float broken = whitecaps_at(n.z, sum.slope, unseen.slopes, breaking) + surf;
+  float broken = whitecaps_at(n.z, 1.0 + sum.stretch_before, unseen.slopes, breaking) + surf;
   float own = look.roughness * look.roughness;
   n = normalize(n);
   Water w;

@@ -75,7 +75,7 @@ void add_short_wave(inout WaveSum sum, Course course, ShortWave wave, float weig
   vec2 turn = cos_sin(course.phase);
   float per_length = inversesqrt(max(dot(course.direction, course.direction), 1.0e-6));
   float height = weight * wave.amplitude, pinch = weight * wave.pinch;
-  float sway = min(per_length, 1.0) * pinch * turn.x;
-  add_swell(sum, per_length * course.direction, height * turn.y, height * turn.x, height * wave.wavenumber / per_length * turn.x, sway,
-            -min(1.0 / per_length, 1.0) * pinch * wave.wavenumber * turn.y, 0.0);
+  float sway = min(per_length, 1.0) * pinch * turn.x, squeeze = min(1.0 / per_length, 1.0) * pinch * wave.wavenumber;
+  add_swell(sum, per_length * course.direction, height * turn.y, height * wave.wavenumber / per_length * turn.x, sway,
+            -squeeze * turn.y, 0.0, vec2(height, -squeeze) * turn.x);
 }

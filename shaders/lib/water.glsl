@@ -165,10 +165,15 @@ vec3 light_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at,
   return mix(light_of_depths(at, shade, look, scene), lit, left);
 }
 
-// What light_through gains where waves gather sunlight on the bottom by a factor. way: of the light from there to the surface.
-vec3 light_gathered(float factor, vec3 albedo, vec3 normal, float depth, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
+// The part of light_through that is sunlight from the bottom.
+vec3 sunlight_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
   vec3 left = transmitted(look.extinction, way + depth / max(dot(at.up, scene.sun), 0.3));
-  return albedo * at.sun * left * (0.6 * (factor - 1.0) * shade * mean_cosine(normal, scene.sun));
+  return albedo * at.sun * left * (0.6 * shade * mean_cosine(normal, scene.sun));
+}
+
+// How much is seen of a pattern that sunlight draws on the bottom, 0..1: faint light shows none. sunlight: sunlight_through.
+float pattern_shown(vec3 sunlight) {
+  return smoothstep(0.005, 0.01, max(sunlight.r, max(sunlight.g, sunlight.b)));
 }
 
 // Light that the surface sends to the eye, before the air. ray: unit, from the eye; below: what comes from under it;

@@ -34,6 +34,7 @@ float wave_weight(float wavenumber, float footprint) {
 struct WaveSum {
   float height;        // along v
   float before;        // the height a quarter of each wave's period before
+  float stretch_before;  // the same of what stretches water along each wave's way
   vec2 shift;          // along east, north
   vec2 slope;          // d height
   float stretch_ee;    // d shift.x along east
@@ -46,6 +47,7 @@ WaveSum no_waves() {
   WaveSum s;
   s.height = 0.0;
   s.before = 0.0;
+  s.stretch_before = 0.0;
   s.shift = vec2(0.0);
   s.slope = vec2(0.0);
   s.stretch_ee = 0.0;
@@ -56,11 +58,12 @@ WaveSum no_waves() {
 }
 
 // Adds what one wave does at a place. d: its direction, unit; height: of the water over the still sea, which gains rise
-// along d; before: a quarter of a period before; sway: how far the water has moved along d, which gains along that way and across
-// to its side.
-void add_swell(inout WaveSum sum, vec2 d, float height, float before, float rise, float sway, float along, float across) {
+// along d; sway: how far the water has moved along d, which gains along that way and across to its side; before: height and gain along
+// the way a quarter of a period before.
+void add_swell(inout WaveSum sum, vec2 d, float height, float rise, float sway, float along, float across, vec2 before) {
   sum.height += height;
-  sum.before += before;
+  sum.before += before.x;
+  sum.stretch_before += before.y;
   sum.shift += sway * d;
   sum.slope += (rise - sway) * d;
   vec2 skew = (along - across) * d.x * d;
@@ -89,7 +92,8 @@ void add_wave(inout WaveSum sum, vec3 v, Frame frame, Wave wave, float weight) {
   float rise = wave.amplitude * (fade * wave.wavenumber * turn.x + fade_slope * turn.y);
   float along = fade_slope * wave.pinch * turn.x - pinch * wave.wavenumber * turn.y;
   float across = sway * cosine * per_sine;
-  add_swell(sum, d, fade * wave.amplitude * turn.y, fade * wave.amplitude * turn.x, rise, sway, along, across);
+  add_swell(sum, d, fade * wave.amplitude * turn.y, rise, sway, along, across,
+            vec2(fade * wave.amplitude, -pinch * wave.wavenumber) * turn.x);
 }
 
 // Multiplies the whole sum by a factor that itself changes along east and north (shallow water holds waves back).
@@ -97,6 +101,7 @@ WaveSum attenuate(WaveSum sum, float factor, vec2 factor_slope) {
   WaveSum s;
   s.height = factor * sum.height;
   s.before = factor * sum.before;
+  s.stretch_before = factor * sum.stretch_before;
   s.shift = factor * sum.shift;
   s.slope = factor * sum.slope + sum.height * factor_slope;
   s.stretch_ee = factor * sum.stretch_ee + sum.shift.x * factor_slope.x;

@@ -1,4 +1,4 @@
 // A sea of waves over a ground of nodes with continents of a map.
 #include "node_map.glsl"
 #include "shore_nodes.glsl"
-#include "wavy_nodes.glsl"
+#include "wavy_shore.glsl"

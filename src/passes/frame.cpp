@@ -30,7 +30,7 @@ double finest_seen(const Frame& frame, const Maps& maps) {
 // Part of a sea whose waves are not drawn that they whiten.
 double white_from_afar(const Needs& needs, const Sea& sea) {
   if (needs.water != Water::calm || sea.is_calm()) return 0.0;
-  return f64::whitecaps_at(1.0, {0.0, 0.0}, sea.slope_variance, sea.breaking);
+  return f64::whitecaps_at(1.0, 1.0, sea.slope_variance, sea.breaking);
 }
 
 }  // namespace

@@ -80,9 +80,8 @@ void WaveLists::set(const Frame& frame) {
   List more{};
   const double over_sea = glm::length(frame.pose.eye) - water_radius(frame.scene);
   block.anchor = glm::vec4(glm::dvec4(near.anchor, over_sea));
-  const glm::dvec2 downwind = downwind_at(frame.sea, near.anchor, near.axes);
-  block.east = glm::vec4(glm::dvec4(near.axes.east, downwind.x));
-  block.north = glm::vec4(glm::dvec4(near.axes.north, downwind.y));
+  block.east = glm::vec4(glm::dvec4(near.axes.east, 0.0));
+  block.north = glm::vec4(glm::dvec4(near.axes.north, 0.0));
   const f64::Breaking& breaking = frame.sea.breaking;
   block.breaking = glm::vec4(breaking.fold, breaking.softness, breaking.choppiness, 0.0);
   block.shore =

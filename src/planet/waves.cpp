@@ -135,7 +135,6 @@ SeaShape shape_of(const Scene& scene, bool has_regions) {
   sea.amplitude = (wind ? std::sqrt(squares) : from.amplitude) / radius;
   const double scale = sea.amplitude / std::sqrt(squares);
 
-  sea.heading = glm::radians(from.direction) + std::numbers::pi;
   Together slopes, short_heights, short_slopes;
   double long_heights = 0.0;
   for (const AskedWave& wave : asked) {
@@ -149,7 +148,8 @@ SeaShape shape_of(const Scene& scene, bool has_regions) {
     }
     short_heights.add(amplitude);
     short_slopes.add(amplitude * wavenumber);
-    RegionalWave regional = {amplitude, wavenumber, 0.0, sea.heading + wave.heading, {}};
+    const double heading = glm::radians(from.direction) + std::numbers::pi + wave.heading;
+    RegionalWave regional = {amplitude, wavenumber, 0.0, heading, {}};
     for (double& phase : regional.phases) phase = turn * uniform(random);
     sea.short_waves.push_back(regional);
     shape.short_frequencies.push_back(wave.frequency);
@@ -216,13 +216,6 @@ f64::Wave in_region(const RegionalWave& wave, int region) {
   // A quarter of a great circle behind the region's middle.
   const glm::dvec3 origin = -std::cos(wave.heading) * north - std::sin(wave.heading) * east;
   return {origin, wave.amplitude, wave.wavenumber, wave.phases.at(static_cast<std::size_t>(region)), wave.pinch};
-}
-
-glm::dvec2 downwind_at(const Sea& sea, const glm::dvec3& place, const f64::Frame& axes) {
-  const glm::dvec3 parts = f64::parts_of_regions(place);
-  const int axis = parts.x >= parts.y && parts.x >= parts.z ? 0 : parts.y >= parts.z ? 1 : 2;
-  const glm::dvec3 from = in_region({0.0, 0.0, 0.0, sea.heading, {}}, region_around(axis, place)).origin;
-  return glm::normalize(-glm::dvec2(glm::dot(from, axes.east), glm::dot(from, axes.north)));
 }
 
 int drawn_long_waves(const Sea& sea) { return std::min(static_cast<int>(sea.waves.size()), most_long_waves); }

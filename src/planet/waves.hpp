@@ -32,10 +32,9 @@ struct Sea {
   bool held = false;                      // true where the asked steepness would fold the surface over
   // No crest rises higher than this over the still sea, planet radii: at short waves but for one in a thousand million.
   double highest = 0.0;
-  double amplitude = 0.0;                                 // of one wave that is as high as all together, planet radii
-  double slope_variance = 0.0;                            // of all waves; of both directions together
-  double heading = 0.0;                                   // where short waves run on average, as of RegionalWave
-  f64::Breaking breaking = {0.5, 0.11, 0.0, {0.0, 0.0}};  // but for where the wind blows at a place
+  double amplitude = 0.0;       // of one wave that is as high as all together, planet radii
+  double slope_variance = 0.0;  // of all waves; of both directions together
+  f64::Breaking breaking = {0.5, 0.11, 0.0};
 
   // Of one of all waves.
   [[nodiscard]] bool is_short(const f64::Wave& wave) const {
@@ -80,9 +79,6 @@ int region_around(int axis, const glm::dvec3& place);
 
 // The wave as a region (0..regions - 1) has it.
 f64::Wave in_region(const RegionalWave& wave, int region);
-
-// Where short waves run on average at a place (unit), along axes there; unit.
-glm::dvec2 downwind_at(const Sea& sea, const glm::dvec3& place, const f64::Frame& axes);
 
 // Length (planet radii) of the longest wave; 0 where there are none.
 double longest_wave(const Sea& sea);

@@ -221,12 +221,6 @@ f64::FoamLace Sea::lace_at(const glm::dvec3& still) const {
   return {f64::lace_of(layer(foam_layer_), layer(foam_layer_ + 1), 1.0), 1.0};
 }
 
-f64::Breaking Sea::breaking_at(const WaterAt& water) const {
-  f64::Breaking breaking = sea_.breaking;
-  breaking.downwind = downwind_at(sea_, water.still, water.frame);
-  return breaking;
-}
-
 double Sea::gathered_at(const glm::dvec3& still, double way, double refraction_index) const {
   if (!felt_ground_) return 1.0;
   const f64::Frame frame = f64::frame_at(still);

@@ -33,7 +33,7 @@ class Sea {
   [[nodiscard]] double still_radius() const { return radius_; }
   [[nodiscard]] double whole_depth() const { return whole_depth_; }
   [[nodiscard]] bool has_waves() const { return !sea_.is_calm(); }
-  [[nodiscard]] f64::Breaking breaking_at(const WaterAt& water) const;
+  [[nodiscard]] const f64::Breaking& breaking() const { return sea_.breaking; }
   // What tears the foam of surf at a still place.
   [[nodiscard]] f64::FoamLace lace_at(const glm::dvec3& still) const;
   [[nodiscard]] double amplitude() const { return sea_.amplitude; }

@@ -84,7 +84,7 @@ Tracer::SeenWater Tracer::water_at(const glm::dvec3& place) const {
   if (sea_->has_waves()) {
     if (has_nodes(ground_technique(scene_)))
       return {at, f64::open_water(at.still, glm::normalize(pose_.eye - place), at.depth, at.sum, at.frame, {0.0, 0.0},
-                                  sea_->breaking_at(at), sea_->lace_at(at.still), sea_->whole_depth(), look_)};
+                                  sea_->breaking(), sea_->lace_at(at.still), sea_->whole_depth(), look_)};
     const double amplitude = std::max(sea_->amplitude(), 1e-9);
     return {at, f64::wavy_water(at.still, at.depth, at.sum, at.frame, amplitude, sea_->whole_depth(), look_)};
   }
@@ -135,7 +135,7 @@ glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at
   const glm::dvec3 down = f64::refracted_ray(-light_.sun, bottom.up, look_);
   const double sun_way = depth / f64::dive_of(down, bottom.up);
   const double factor = sea_->gathered_at(glm::normalize(bottom.up - sun_way * down), sun_way, look_.refraction_index);
-  return light + f64::light_gathered(factor, albedo, bottom.normal, depth, *way, at, shade, look_, light_);
+  return light + (factor - 1.0) * f64::sunlight_through(albedo, bottom.normal, depth, *way, at, shade, look_, light_);
 }
 
 glm::dvec3 Tracer::light_mirrored(const Ray& mirrored, const f64::LightAt& at) const {

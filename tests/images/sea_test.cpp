@@ -2,6 +2,7 @@
 // detail.
 #include <gtest/gtest.h>
 
+#include "height_maps.hpp"
 #include "images/reference_errors.hpp"
 #include "measure/ground_models.hpp"
 #include "native/egl_context.hpp"
@@ -209,6 +210,12 @@ TEST(SeaOfWind, IsFiniteAtTheExtremes) {
   scene.waves.shortest = 0.01;
   expect_finite("waves of a centimetre", scene);
   expect_finite("thirty years", usual, 9.467e8);
+  scene = usual;
+  scene.terrain.map.map = test::smooth_map(64, 32);
+  expect_finite("continents of a map", scene);
+  scene = find_preset("beach")->scene;
+  scene.terrain.octaves = 3;
+  expect_finite("a shore without layers that tear foam", scene);
   for (const double radius : {1.0, 1e3, 2e4, 1e8}) {
     scene = usual;
     scene.planet.radius = radius;

@@ -312,6 +312,16 @@ f64::Water level(double foam = 0.0, double depth = 0.01) {
 
 const glm::dvec3 white(1.0), black(0.0);
 
+// Where no sky lights the bottom.
+TEST(LightThrough, IsSunlightAndSkylight) {
+  const f64::SceneLight scene = test::bare_scene(risen(0.5));
+  const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
+  const f64::WaterLook look = some_look();
+  const glm::dvec3 of_bottom = f64::light_through(sand, zenith, 0.02, 0.03, at, 0.7, look, scene) -
+                               f64::light_through(glm::dvec3(0.0), zenith, 0.02, 0.03, at, 0.7, look, scene);
+  expect_equal(f64::sunlight_through(sand, zenith, 0.02, 0.03, at, 0.7, look, scene), of_bottom);
+}
+
 TEST(WaterLight, MirrorsByFresnelAndLetsThroughTheRest) {
   const f64::SceneLight scene = test::bare_scene(risen(0.5));
   const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
