@@ -6,7 +6,7 @@ vec3 water_direction() { return normalize(eye_position() + surface_from_eye); }
 
 vec3 water_place() { return surface_from_eye; }
 
-float gathered_on_bottom(vec3 sunward, float way) { return 1.0; }
+vec3 gathered_on_bottom(vec3 sunlight, vec3 to_bottom, float depth, LightAt at, SceneLight scene) { return vec3(0.0); }
 
 // crust: 0..1, how far a crust covers the water.
 void emit_calm_water(Ripples r, float crust, vec3 up) {

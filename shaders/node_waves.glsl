@@ -38,7 +38,7 @@ struct SeaAt {
   Frame frame;
   Shore shore;
   WaveSum sum;
-  bool gathers;  // whether the lens is asked for
+  bool gathers;  // whether the lens is asked for, in place of the sum
   Lens lens;
   float seen;  // twice the variance of slopes of the short waves in the sum
 };
@@ -81,7 +81,10 @@ bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footp
   if (feels_ground()) {
     course = ashore(course, wave, at.shore);
     shown = min(shown, part * wave_weight(motion.z * length(course.direction), footprint));
-    if (at.gathers) add_lens(at.lens, course, wave, shown);
+  }
+  if (at.gathers) {
+    add_lens(at.lens, course, wave, shown);
+    return true;
   }
   add_short_wave(at.sum, course, wave, shown);
   float slope = shown * shape.x * motion.z;

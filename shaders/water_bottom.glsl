@@ -7,9 +7,8 @@ GroundAt ground_below(vec3 up);
 // As mean_normal takes it.
 float layer_rise(GroundAt ground);
 
-// How many times as much sunlight waves gather on the bottom. sunward: from the pixel to where that light enters the water, along the
-// sphere, radii; way: of the light through the water.
-float gathered_on_bottom(vec3 sunward, float way);
+// What waves add to the sunlight that comes from the bottom, by gathering it there. to_bottom: from the pixel, radii.
+vec3 gathered_on_bottom(vec3 sunlight, vec3 to_bottom, float depth, LightAt at, SceneLight scene);
 
 // Adds to land what is missing there, and the grain of its colour; nothing under water. up: unit.
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth);
@@ -30,11 +29,5 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
   albedo = wetted(albedo, wet_part(found.height, water_extinction.w), water_refraction_index);
   vec3 light = light_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
   vec3 sunlight = sunlight_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
-  float shown = pattern_shown(sunlight);
-  if (shown <= 0.0 || depth <= 0.0) return light;
-  vec3 down = refracted_ray(-scene.sun, at.up, water_look());
-  float sun_dive = dive_of(down, at.up);
-  vec3 sunward = depth * (refracted / dive - down / sun_dive);
-  float factor = gathered_on_bottom(sunward - dot(sunward, at.up) * at.up, depth / sun_dive);
-  return light + shown * (factor - 1.0) * sunlight;
+  return light + gathered_on_bottom(sunlight, refracted * (depth / dive), depth, at, scene);
 }

@@ -2,23 +2,27 @@
 #include "wavy_nodes.glsl"
 #include "felt_ground.glsl"
 
-// The shore is a plane from the pixel's place to where the light enters.
-float gathered_on_bottom(vec3 sunward, float way) {
-  SeaAt above = still_sea(still_from_eye + sunward);
-  vec2 aside = vec2(dot(sunward, above.frame.east), dot(sunward, above.frame.north));
-  above.shore.depth -= dot(felt_slope(above.frame), aside);
+// As the waves are where the sun's refracted ray to the bottom enters the water; the shore is a plane from the pixel's place to there.
+vec3 gathered_on_bottom(vec3 sunlight, vec3 to_bottom, float depth, LightAt at, SceneLight scene) {
+  float shown = pattern_shown(sunlight);
+  if (shown <= 0.0 || depth <= 0.0) return vec3(0.0);
+  vec3 down = refracted_ray(-scene.sun, at.up, water_look());
+  float way = depth / dive_of(down, at.up);
+  vec3 aside = to_bottom - way * down;
+  aside -= dot(aside, at.up) * at.up;
+  SeaAt above = still_sea(still_from_eye + aside);
+  above.shore.depth -= dot(felt_slope(above.frame), along_axes(aside, above.frame));
   above.gathers = true;
   float footprint = pixel_footprint(above.up, surface_from_eye, 0.1);
   vec3 parts = parts_of_regions(above.up);
   for (int k = 0; k < wave_axes.w; ++k) add_short_waves(above, k, part_of_region(k, parts), 0, all_short_waves, footprint);
-  return gathered_light(above.lens, wave_part_over_ground(above.shore.depth), way, water_refraction_index);
+  float left = wave_part_over_ground(above.shore.depth);
+  return shown * (gathered_light(above.lens, left, way, water_refraction_index) - 1.0) * sunlight;
 }
 
 // Two layers of the ground's noise, as small as the sea's waves are high.
 FoamLace foam_lace(float footprint) {
-  FoamLace lace;
-  lace.noise = 0.0;
-  lace.shown = 0.0;
+  FoamLace lace = no_lace();
   int first = int(wave_shore.w);
   if (first < 0) return lace;
   lace.shown = layer_weight(layer_place[first].w, footprint);

@@ -4,7 +4,7 @@
 
 in vec3 still_direction;
 
-float gathered_on_bottom(vec3 sunward, float way) { return 1.0; }
+vec3 gathered_on_bottom(vec3 sunlight, vec3 to_bottom, float depth, LightAt at, SceneLight scene) { return vec3(0.0); }
 
 void main() {
   vec3 up = normalize(still_direction);

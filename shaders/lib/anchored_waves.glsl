@@ -38,7 +38,7 @@ void add_anchored_wave(inout WaveSum sum, vec3 v, Frame frame, vec3 anchor, vec3
   float per_across = across > 0.0 ? 1.0 / across : 0.0;
   vec3 e = per_across * (ahead * wave.aside - side * (wave.sine * anchor + wave.cosine * wave.outward));
   vec3 direction = cross(e, v);
-  vec2 d = vec2(dot(direction, frame.east), dot(direction, frame.north));
+  vec2 d = along_axes(direction, frame);
   float sine = across / size;
   float cosine = along / size;
 

@@ -100,8 +100,13 @@ float mean_cosine(vec3 normal, vec3 sun) {
   return 0.5 * (cosine + sqrt(cosine * cosine + spread / 3.1415926535));
 }
 
-// Light that the ground sends on. normal: as mean_cosine takes it; shade: part of the sunlight left by the clouds.
+// Sunlight that the ground sends on. normal: as mean_cosine takes it; shade: part of the sunlight left by the clouds.
+vec3 ground_sunlight(vec3 albedo, vec3 normal, LightAt at, float shade, SceneLight scene) {
+  return albedo * at.sun * (0.6 * shade * mean_cosine(normal, scene.sun));
+}
+
+// All light that it sends on.
 vec3 ground_light(vec3 albedo, vec3 normal, LightAt at, float shade, SceneLight scene) {
-  float cosine = mean_cosine(normal, scene.sun);
-  return albedo * (at.sun * (cosine * shade) + skylight(at, normal, scene) * mix(0.7, 1.0, shade)) * 0.6;
+  vec3 of_sky = albedo * skylight(at, normal, scene) * (0.6 * mix(0.7, 1.0, shade));
+  return ground_sunlight(albedo, normal, at, shade, scene) + of_sky;
 }

@@ -45,6 +45,13 @@ struct FoamLace {
   float shown;  // how much of it pixels can show, 0..1
 };
 
+FoamLace no_lace() {
+  FoamLace lace;
+  lace.noise = 0.0;
+  lace.shown = 0.0;
+  return lace;
+}
+
 // Of two layers of noise, the finer one as far as it is shown.
 float lace_of(float coarse, float fine, float fine_shown) {
   float part = 0.8 * fine_shown;

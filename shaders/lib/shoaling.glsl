@@ -72,5 +72,5 @@ float left_ashore(float depth, float whole_depth) {
 WaveSum held_ashore(WaveSum sum, Frame frame, float depth, vec3 gradient, float whole_depth) {
   float x = part_ashore(depth, whole_depth);
   float per_height = x > 0.0 ? -2.0 * (1.0 - x) / ((1.0 + run_up) * whole_depth) : 0.0;
-  return attenuate(sum, left_ashore(depth, whole_depth), per_height * vec2(dot(gradient, frame.east), dot(gradient, frame.north)));
+  return attenuate(sum, left_ashore(depth, whole_depth), per_height * along_axes(gradient, frame));
 }

@@ -34,7 +34,7 @@ vec3 parts_of_regions(vec3 v) {
 // Where a place lies from the anchor, arcs along its axes: Riemann's normal coordinates. offset: its direction less the
 // anchor's, of a length below 0.3; axes: of the anchor.
 vec2 arcs_from_anchor(vec3 offset, Frame axes) {
-  vec2 along = vec2(dot(offset, axes.east), dot(offset, axes.north));
+  vec2 along = along_axes(offset, axes);
   float square = dot(along, along);
   return along * (1.0 + square * (0.16666666666666666 + square * (0.075 + square * 0.044642857142857144)));
 }

@@ -156,19 +156,22 @@ vec3 light_of_depths(LightAt at, float shade, WaterLook look, SceneLight scene) 
   return look.color * (at.sun * lit + skylight(at, at.up, scene)) * 0.6;
 }
 
+// What is left in the water of light that falls in, down to a depth.
+vec3 left_at_depth(float depth, LightAt at, WaterLook look, SceneLight scene) {
+  return transmitted(look.extinction, depth / max(dot(at.up, scene.sun), 0.3));
+}
+
 // Light from the bottom and from the water itself, along the refracted ray. albedo, normal: of the bottom; depth: of the
 // bottom; way: of the ray through the water; shade: part of the sunlight left by the clouds.
 vec3 light_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
-  float sun_height = dot(at.up, scene.sun);
-  vec3 left = transmitted(look.extinction, way);
-  vec3 lit = ground_light(albedo, normal, at, shade, scene) * transmitted(look.extinction, depth / max(sun_height, 0.3));
-  return mix(light_of_depths(at, shade, look, scene), lit, left);
+  vec3 lit = ground_light(albedo, normal, at, shade, scene) * left_at_depth(depth, at, look, scene);
+  return mix(light_of_depths(at, shade, look, scene), lit, transmitted(look.extinction, way));
 }
 
-// The part of light_through that is sunlight from the bottom.
+// The part of it that is sunlight from the bottom.
 vec3 sunlight_through(vec3 albedo, vec3 normal, float depth, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
-  vec3 left = transmitted(look.extinction, way + depth / max(dot(at.up, scene.sun), 0.3));
-  return albedo * at.sun * left * (0.6 * shade * mean_cosine(normal, scene.sun));
+  vec3 lit = ground_sunlight(albedo, normal, at, shade, scene) * left_at_depth(depth, at, look, scene);
+  return lit * transmitted(look.extinction, way);
 }
 
 // How much is seen of a pattern that sunlight draws on the bottom, 0..1: faint light shows none. sunlight: sunlight_through.

@@ -17,6 +17,9 @@ struct Frame {
   vec3 north;
 };
 
+// A vector told along the axes of a frame.
+vec2 along_axes(vec3 v, Frame f) { return vec2(dot(v, f.east), dot(v, f.north)); }
+
 // Any tangent frame does; this one has no pole.
 Frame frame_at(vec3 v) {
   Frame f;
@@ -32,15 +35,15 @@ float wave_weight(float wavenumber, float footprint) {
 
 // The sum of waves at a place, told in its frame; slopes and stretches are per radian of arc.
 struct WaveSum {
-  float height;        // along v
-  float before;        // the height a quarter of each wave's period before
+  float height;          // along v
+  float before;          // the height a quarter of each wave's period before
   float stretch_before;  // the same of what stretches water along each wave's way
-  vec2 shift;          // along east, north
-  vec2 slope;          // d height
-  float stretch_ee;    // d shift.x along east
-  float stretch_en;    // d shift.x along north
-  float stretch_ne;    // d shift.y along east
-  float stretch_nn;    // d shift.y along north
+  vec2 shift;            // along east, north
+  vec2 slope;            // d height
+  float stretch_ee;      // d shift.x along east
+  float stretch_en;      // d shift.x along north
+  float stretch_ne;      // d shift.y along east
+  float stretch_nn;      // d shift.y along north
 };
 
 WaveSum no_waves() {
@@ -77,7 +80,7 @@ void add_swell(inout WaveSum sum, vec2 d, float height, float rise, float sway, 
 // fades the wave as a whole.
 void add_wave(inout WaveSum sum, vec3 v, Frame frame, Wave wave, float weight) {
   float cosine = dot(v, wave.origin);
-  vec2 toward = vec2(dot(wave.origin, frame.east), dot(wave.origin, frame.north));
+  vec2 toward = along_axes(wave.origin, frame);
   // Where the direction is undefined the wave has faded.
   float per_sine = inversesqrt(max(dot(toward, toward), 1.0e-12));
   float sine = dot(toward, toward) * per_sine;
@@ -126,7 +129,7 @@ WaveSum held_by_ground(WaveSum sum, float depth, vec2 ground_slope, float whole_
 
 // The same where the ground's slope is told as the gradient of its height, in the axes that the frame has.
 WaveSum held_in_frame(WaveSum sum, Frame frame, float depth, vec3 gradient, float whole_depth) {
-  return held_by_ground(sum, depth, vec2(dot(gradient, frame.east), dot(gradient, frame.north)), whole_depth);
+  return held_by_ground(sum, depth, along_axes(gradient, frame), whole_depth);
 }
 
 // Where the water of v has gone: the offset from a still sea of the given radius (14).

@@ -4,9 +4,4 @@
 #include "no_felt_ground.glsl"
 
 // No surf.
-FoamLace foam_lace(float footprint) {
-  FoamLace lace;
-  lace.noise = 0.0;
-  lace.shown = 0.0;
-  return lace;
-}
+FoamLace foam_lace(float footprint) { return no_lace(); }

@@ -36,7 +36,7 @@ struct Sea {
   double slope_variance = 0.0;  // of all waves; of both directions together
   f64::Breaking breaking = {0.5, 0.11, 0.0};
 
-  // Of one of all waves.
+  // Whether one of waves, or of short_waves in a region, is one of the latter.
   [[nodiscard]] bool is_short(const f64::Wave& wave) const {
     return !short_waves.empty() && wave.wavenumber >= short_waves.front().wavenumber;
   }

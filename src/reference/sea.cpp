@@ -21,6 +21,11 @@ double widest_stretch(const f64::WaveSum& sum) {
   return glm::length(glm::dvec4(sum.stretch_ee, sum.stretch_en, sum.stretch_ne, sum.stretch_nn));
 }
 
+// Of a wave seen from a place, there.
+f64::Course course_over(const f64::ShortWave& seen, const f64::Shore& shore) {
+  return f64::ashore(f64::course_of(seen, {0.0, 0.0}), seen, shore);
+}
+
 }  // namespace
 
 Sea::Sea(const Scene& scene, double seconds, const Ground* ground)
@@ -81,8 +86,7 @@ f64::Shore Sea::shore_at(const glm::dvec3& direction, const f64::Frame& frame) c
   f64::Shore shore = shore_;
   const f64::Height ground = felt_ground_->height_at(direction);
   shore.depth = radius_ - 1.0 - ground.value;
-  shore.rise =
-      shore.per_slope * glm::dvec2(glm::dot(ground.gradient, frame.east), glm::dot(ground.gradient, frame.north));
+  shore.rise = shore.per_slope * f64::along_axes(ground.gradient, frame);
   return shore;
 }
 
@@ -90,7 +94,7 @@ void Sea::add_wave(f64::WaveSum& sum, const glm::dvec3& still, const f64::Frame&
                    double part, const f64::Shore* shore) const {
   if (shore == nullptr || !sea_.is_short(wave)) return f64::add_wave(sum, still, frame, wave, part);
   const f64::ShortWave seen = seen_from(wave, still, frame, shore->felt_depth);
-  f64::add_short_wave(sum, f64::ashore(f64::course_of(seen, {0.0, 0.0}), seen, *shore), seen, part);
+  f64::add_short_wave(sum, course_over(seen, *shore), seen, part);
 }
 
 f64::WaveSum Sea::whole_sum(const glm::dvec3& still, const f64::Frame& frame, bool deep) const {
@@ -229,7 +233,7 @@ double Sea::gathered_at(const glm::dvec3& still, double way, double refraction_i
   each_wave(still, 0.0, [&](const f64::Wave& wave, double part, double) {
     if (part <= 0.0 || !sea_.is_short(wave)) return;
     const f64::ShortWave seen = seen_from(wave, still, frame, shore.felt_depth);
-    f64::add_lens(lens, f64::ashore(f64::course_of(seen, {0.0, 0.0}), seen, shore), seen, part);
+    f64::add_lens(lens, course_over(seen, shore), seen, part);
   });
   return f64::gathered_light(lens, left_over(shore.depth), way, refraction_index);
 }
