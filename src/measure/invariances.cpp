@@ -17,7 +17,9 @@ namespace {
 
 Invariance scaled_by(Renderer& renderer, const char* preset, double factor, double bound) {
   Scene scene = cheap(preset);
-  scene.waves.spectrum = choice("waves.spectrum", "free");  // a wind's waves are as long on any planet
+  // A wind's waves, and the way of light in waters of nature, are as long on any planet.
+  scene.waves.spectrum = choice("waves.spectrum", "free");
+  scene.water.medium = choice("water.medium", "tinted");
   const std::vector<float> as_it_is = light_of(renderer, scene, small_view());
   const std::vector<float> scaled_up = light_of(renderer, scaled(scene, factor), small_view());
   return {text_of(preset, ", all lengths times ", factor), "largest difference of light",
