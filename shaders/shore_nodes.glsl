@@ -19,7 +19,16 @@ WaveSum waves_over_ground(WaveSum sum, Frame f, float depth) {
   return held_ashore(sum, f, depth, ground_here.gradient, sea.w);
 }
 
-// Nodes know nothing of their neighbours: right below is near enough.
-GroundAt ground_below(vec3 up) { return ground_here; }
+// Nodes know nothing of their neighbours: what vertices tell goes on as it slopes here, and the layers that they lack are those of
+// the place itself.
+GroundAt ground_aside(vec3 aside, vec3 up) {
+  const float seen = 0.25;  // of a pixel
+  float pixel = length(surface_from_eye) * ray_forward.w;
+  if (dot(aside, aside) <= seen * seen * pixel * pixel) return ground_here;
+  vec3 place = water_place() + aside;
+  GroundAt ground = node_ground(place, vec3(0.0));
+  ground.height += dot(node_slope.xyz, aside);
+  return ground;
+}
 
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {}

@@ -1,8 +1,8 @@
 // Water through which its bottom is seen.
 #include "water_surface.glsl"
 
-// The ground in a direction (unit) near the place, as far as it is known without its finest layers.
-GroundAt ground_below(vec3 up);
+// The ground aside (radii, along the sphere) of the one right below the place, as far as it is known without its finest layers.
+GroundAt ground_aside(vec3 aside, vec3 up);
 
 // As mean_normal takes it.
 float layer_rise(GroundAt ground);
@@ -18,8 +18,9 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
   vec3 refracted = refracted_ray(ray, w.facing, water_look());
   float dive = dive_of(refracted, at.up);
   // The bottom is where the ray meets it: one step from the depth below the surface comes close.
-  vec3 bottom = normalize(at.up + refracted * (deep / dive));
-  GroundAt found = ground_below(bottom);
+  vec3 aside = (refracted - dot(refracted, at.up) * at.up) * (deep / dive);
+  vec3 bottom = normalize(at.up + aside);
+  GroundAt found = ground_aside(aside, at.up);
   found.height = w.depth > 0.0 ? min(found.height, 0.0) : found.height;
   float depth = max(0.5 * (deep - found.height), 0.0);
   float grain = 0.0;

@@ -106,7 +106,7 @@ TEST(SeaOfWind, GathersSunlightOnTheBottom) {
   const double found = psnr(test::cut_off(test::light_of(scene, renderer)), test::cut_off(exact));
   const double without = psnr(test::cut_off(test::light_of(still, renderer)), test::cut_off(exact));
   if (test::prints()) std::printf("lagoon: %.1f dB, of a still sea %.1f dB\n", found, without);
-  EXPECT_GE(found, 34.9);  // measured: 35.0
+  EXPECT_GE(found, 37.2);  // measured: 37.4; 35.0 with the bottom right below instead of along the ray
   EXPECT_GE(found, without + 15.0);
 }
 
