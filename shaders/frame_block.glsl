@@ -21,6 +21,7 @@ layout(std140) uniform FrameBlock {
   vec4 sky_glow;           // xyz: light of the glow that a low sun spreads over the sky of the eye, 0 outside of the air
   vec4 fineness;           // x: footprint_of_pixel, pixels; y: of texels of the map of the ground from where pixels add layers, pixels; z: size of points of light for which one pixel is shown, pixels; w: part of their light that is left at this size
   vec4 depth;              // x: of the far plane, a part of w; y, z: factor of and distance at which logarithms of distances become depths, y 0: none do
+  vec4 lens;               // xyz: lens_above_water in src/planet/pose.hpp; w: depth of the eye under the still water, radii, >= 0
   ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
 };
 
@@ -45,6 +46,9 @@ vec4 clip_along(vec3 ray) {
   vec4 clip = clip_from_eye * vec4(ray, 0.0);
   return vec4(clip.xy, depth.x * clip.w, clip.w);
 }
+
+// Whether a ray from the eye begins in the water.
+bool begins_in_water(vec3 ray) { return dot(lens.xyz, ray) < 0.0; }
 
 // The eye in single precision: for what is not near it.
 vec3 eye_position() { return eye_high.xyz; }

@@ -3,7 +3,7 @@
 
 void main() {
   vec3 up = water_direction();
-  float footprint = pixel_footprint(up, surface_from_eye, 0.12);
+  float footprint = pixel_footprint(side_of_eye(up), surface_from_eye, 0.12);
   uint seed = ripple_seed(planet_seed);
   Ripples r = no_ripples(water_ripple_frequency, ripple_turn.xy);
   for (int layer = 0; layer < int(ripple_turn.z); ++layer) r = add_ripples(r, up, ripple.x, footprint, seed);

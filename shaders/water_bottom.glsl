@@ -7,15 +7,15 @@ GroundAt ground_aside(vec3 aside, vec3 up);
 // As mean_normal takes it.
 float layer_rise(GroundAt ground);
 
-// What waves add to the sunlight that comes from the bottom, by gathering it there. to_bottom: from the pixel, radii.
-vec3 gathered_on_bottom(vec3 sunlight, vec3 to_bottom, float depth, LightAt at, SceneLight scene);
+// What waves add to the sunlight that comes from the bottom, by gathering it there. to_bottom: from the pixel, radii; footprint: how
+// far apart neighbouring pixels see the bottom, rad.
+vec3 gathered_on_bottom(vec3 sunlight, vec3 to_bottom, float depth, float footprint, LightAt at, SceneLight scene);
 
 // Adds to land what is missing there, and the grain of its colour; nothing under water. up: unit.
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth);
 
-vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
+vec3 light_from_below(Water w, LightAt at, vec3 refracted, float shade, SceneLight scene) {
   float deep = max(w.depth, 0.0);
-  vec3 refracted = refracted_ray(ray, w.facing, water_look());
   float dive = dive_of(refracted, at.up);
   // The bottom is where the ray meets it: one step from the depth below the surface comes close.
   vec3 aside = (refracted - dot(refracted, at.up) * at.up) * (deep / dive);
@@ -30,5 +30,7 @@ vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
   albedo = wetted(albedo, wet_part(found.height, water_extinction.w), water_refraction_index);
   vec3 light = light_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
   vec3 sunlight = sunlight_through(albedo, normal, depth, depth / dive, at, shade, water_look(), scene);
-  return light + gathered_on_bottom(sunlight, refracted * (depth / dive), depth, at, scene);
+  vec3 to_bottom = refracted * (depth / dive), seen = surface_from_eye + to_bottom;
+  float footprint = fineness.x * max(length(dFdx(seen)), length(dFdy(seen)));
+  return light + gathered_on_bottom(sunlight, to_bottom, depth, footprint, at, scene);
 }

@@ -43,7 +43,7 @@ void main() {
   at.sum = carried_waves();
   // By how the long waves face the eye.
   vec3 facing = normalize(at.up - at.sum.slope.x * at.frame.east - at.sum.slope.y * at.frame.north);
-  float footprint = pixel_footprint(facing, surface_from_eye, 0.1);
+  float footprint = pixel_footprint(side_of_eye(facing), surface_from_eye, 0.1);
   float unseen = 0.0;
   for (int k = 0; k < wave_axes.w; ++k) {
     float part = part_of_region(k, parts);
@@ -59,6 +59,6 @@ void main() {
   Unseen other;
   other.slopes = left * left * unseen;
   other.heights = 0.5 * left * left * sea.y * sea.y * part * part * part * part;
-  Water water = open_water(at.up, -normalize(surface_from_eye), depth, at.sum, at.frame, other, sea_breaking(), foam_lace(footprint), sea.w, water_look());
+  Water water = open_water(at.up, -normalize(surface_from_eye), begins_in_water(surface_from_eye), depth, at.sum, at.frame, other, sea_breaking(), foam_lace(footprint), sea.w, water_look());
   emit_water(water, at.up, at.sum.height);
 }

@@ -1,5 +1,6 @@
 // The icosphere's ground where its map is as fine as the pixels.
 #include "ground_surface.glsl"
+#include "ground_in_still_water.glsl"
 
 void main() {
   vec3 up = normalize(surface_position());

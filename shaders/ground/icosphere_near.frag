@@ -1,5 +1,6 @@
 // The icosphere's ground so near that pixels are finer than its map.
 #include "ground_surface.glsl"
+#include "ground_in_still_water.glsl"
 #include "fine_layers.glsl"
 
 void main() {

@@ -1,5 +1,6 @@
 // The ground of nodes.
 #include "ground_surface.glsl"
+#include "ground_in_still_water.glsl"
 #include "node_no_map.glsl"
 #include "node_surface.glsl"
 

@@ -1,5 +1,6 @@
 // The ground of nodes with continents of a map.
 #include "ground_surface.glsl"
+#include "ground_in_still_water.glsl"
 #include "node_map.glsl"
 #include "node_surface.glsl"
 

@@ -2,12 +2,6 @@
 #include "lib/shoaling.glsl"
 #include "lib/water.glsl"
 
-// The part of a normal distribution below x standard deviations, within 2e-4.
-float part_below(float x) {
-  float c = clamp(x, -8.0, 8.0);
-  return 1.0 / (1.0 + exp(-c * (1.5976 + 0.070566 * c * c)));
-}
-
 // Where a sea's crests break into foam.
 struct Breaking {
   float fold;        // Jacobian of the surface below which water is foam
@@ -87,8 +81,8 @@ float laced(float foam, FoamLace lace) {
   return mix(foam, torn, lace.shown);
 }
 
-// A sea whose waves are shown in part. up: unit, of the still water; to_eye: unit; depth: of the still water; sum: held by the ground; whole_depth: at which waves are whole.
-Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, Unseen unseen, Breaking breaking, FoamLace lace, float whole_depth, WaterLook look) {
+// A sea whose waves are shown in part. up: unit, of the still water; to_eye: unit; below: whether the eye is under the surface; depth: of the still water; sum: held by the ground; whole_depth: at which waves are whole.
+Water open_water(vec3 up, vec3 to_eye, bool below, float depth, WaveSum sum, Frame frame, Unseen unseen, Breaking breaking, FoamLace lace, float whole_depth, WaterLook look) {
   vec3 n = wave_normal(sum);
   float surf = laced(surf_part(sum, depth, unseen.heights, whole_depth), lace);
   float broken = whitecaps_at(n.z, 1.0 + sum.stretch_before, unseen.slopes, breaking) + surf;
@@ -99,5 +93,5 @@ Water open_water(vec3 up, vec3 to_eye, float depth, WaveSum sum, Frame frame, Un
   w.depth = depth + sum.height;
   w.roughness = clamp(sqrt(sqrt(own * own + unseen.slopes)), 0.02, 1.0);
   w.foam = look.foam * clamp(broken, 0.0, 1.0);
-  return with_unseen_waves(w, unseen.slopes, to_eye);
+  return with_unseen_waves(w, unseen.slopes, below ? reflect(to_eye, w.normal) : to_eye);
 }

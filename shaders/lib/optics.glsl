@@ -39,6 +39,12 @@ vec3 extinction_of(vec3 tint) {
   return -log(clamp(tint, vec3(1.0e-4), vec3(1.0)));
 }
 
+// The part of a normal distribution below x standard deviations, within 2e-4.
+float part_below(float x) {
+  float c = clamp(x, -8.0, 8.0);
+  return 1.0 / (1.0 + exp(-c * (1.5976 + 0.070566 * c * c)));
+}
+
 // How far a liquid's crust covers a place, 0..1, from noise there (-1..1): it is torn along the lines where noise is 0.
 // crust: part of the liquid that it covers, 0..1.
 float crust_cover(float noise, float crust) {
@@ -57,6 +63,22 @@ float glitter(float normal_half, float normal_view, float normal_light, float ro
   float d = (nh * a2 - nh) * nh + 1.0;
   float visibility = 0.5 / mix(2.0 * nl * nv, nl + nv, a);
   return nl > 0.0 ? a2 / (3.141592653589793 * d * d) * visibility * nl : 0.0;
+}
+
+// The same seen through the surface, from where it is refracted to (Walter et al. 2007, equation 21, without its Fresnel factor,
+// shadowing and the square of the index by which a refracted beam is narrowed). normal: to the side of the light; light, to_eye: unit;
+// index: of refraction on the side of the eye, that of the light's being 1.
+float glitter_through(vec3 normal, vec3 light, vec3 to_eye, float index, float roughness) {
+  vec3 between = -(light + index * to_eye);
+  between *= inversesqrt(max(dot(between, between), 1.0e-12));
+  float a = roughness * roughness;
+  float a2 = a * a;
+  float nh = clamp(dot(normal, between), 0.0, 1.0);
+  float lh = dot(light, between), eh = dot(to_eye, between);
+  float d = (nh * a2 - nh) * nh + 1.0;
+  float narrowed = lh + index * eh;
+  float seen = lh > 0.0 && eh < 0.0 ? lh * -eh / max(narrowed * narrowed, 1.0e-6) : 0.0;
+  return a2 / (3.141592653589793 * d * d) * seen / max(-dot(normal, to_eye), 0.05);
 }
 
 // Phong's highlight, normalised so that a sharper one is brighter. exponent 1..1000.

@@ -132,7 +132,7 @@ Water wavy_water(vec3 up, float depth, WaveSum sum, Frame frame, float amplitude
 }
 
 // Water some of whose waves are not shown: of their slopes those that face the eye are seen more, the flatter it looks the
-// more so, and those differ less. unseen: variance of the slopes; to_eye: unit.
+// more so, and those differ less. unseen: variance of the slopes; to_eye: unit, mirrored by the surface if the eye is under it.
 Water with_unseen_waves(Water w, float unseen, vec3 to_eye) {
   float along_each = 0.5 * unseen, climb = max(dot(w.normal, to_eye), 0.0);
   w.facing = normalize(w.normal - mean_seen_slope(along_each, w.normal, to_eye));
@@ -177,6 +177,56 @@ vec3 sunlight_through(vec3 albedo, vec3 normal, float depth, float way, LightAt 
 // How much is seen of a pattern that sunlight draws on the bottom, 0..1: faint light shows none. sunlight: sunlight_through.
 float pattern_shown(vec3 sunlight) {
   return smoothstep(0.005, 0.01, max(sunlight.r, max(sunlight.g, sunlight.b)));
+}
+
+// Light that goes through water to an eye in it, and what the water adds, which is lit the less, the deeper it is. depth: of the eye;
+// climb: cosine of the ray with the vertical; way: through the water; at: over the eye; shade: part of the sunlight left by the
+// clouds. Seen straight down from its surface deep water is light_of_depths.
+vec3 through_water(vec3 light, float depth, float climb, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
+  float steep = max(dot(at.up, scene.sun), 0.3);
+  float rate = 1.0 - climb / steep;
+  vec3 before = look.extinction * (depth / steep);
+  vec3 along = look.extinction * way;
+  vec3 x = rate * along;
+  vec3 all = (exp(-before) - exp(-max(before + x, vec3(0.0)))) / (abs(rate) < 1.0e-6 ? 1.0e-6 : rate);
+  vec3 few = exp(-before) * along * (1.0 - 0.5 * x);
+  vec3 gathered = mix(all, few, vec3(lessThan(abs(x), vec3(1.0e-3))));
+  vec3 source = light_of_depths(at, shade, look, scene) * (1.0 + 1.0 / steep);
+  return light * transmitted(look.extinction, way) + source * max(gathered, vec3(0.0));
+}
+
+// What of the light that meets the surface from below is thrown back, all of it beyond the angle of total reflection. facing: as of
+// Water, but on the eye's side; ray: unit, from the eye.
+float mirrored_from_below(float variance, vec3 facing, vec3 ray, WaterLook look) {
+  float n = look.refraction_index;
+  float cosine = max(-dot(ray, facing), 0.0);
+  float outside = 1.0 - n * n * (1.0 - cosine * cosine);
+  float through = sqrt(max(outside, 0.0));
+  float whole = 1.0 - part_below((cosine - sqrt(max(1.0 - 1.0 / (n * n), 0.0))) * inversesqrt(variance + 1.0e-6));
+  float r0 = reflectance_at_normal(1.0, n);
+  return mix(schlick(through, r0), 1.0, whole);
+}
+
+// Where a ray goes on above the water, along the surface where it would not. facing: on the eye's side.
+vec3 ray_above(vec3 ray, vec3 facing, WaterLook look) {
+  float n = look.refraction_index;
+  float cosine = max(-dot(ray, facing), 0.0);
+  vec3 along = ray + cosine * facing;
+  float outside = 1.0 - n * n * (1.0 - cosine * cosine);
+  float held = outside > 0.0 ? n : inversesqrt(max(dot(along, along), 1.0e-12));
+  return held * along - sqrt(max(outside, 0.0)) * facing;
+}
+
+// Light that the surface sends down to an eye in the water, before the water between. w: as for water_light, its facing on the eye's
+// side; ray: unit, from the eye; above: what is seen through it; mirrored: what is seen in it.
+vec3 water_light_below(Water w, LightAt at, vec3 ray, vec3 above, vec3 mirrored, float shade, WaterLook look, SceneLight scene) {
+  vec3 sunlight = at.sun * shade;
+  float thrown = mirrored_from_below(w.variance, w.facing, ray, look);
+  float gleam = glitter_through(w.normal, scene.sun, -ray, look.refraction_index, w.roughness);
+  vec3 light = mix(above + sunlight * min(gleam, 40.0), mirrored, thrown);
+  // Foam lets half of the light through that it throws back above.
+  vec3 foam = look.foam_color * (sunlight * wrap_diffuse(dot(w.normal, scene.sun), 0.1) + skylight(at, w.normal, scene)) * 0.28;
+  return mix(light, foam, w.foam) + look.color * (look.glow * (1.0 - 0.95 * w.foam));
 }
 
 // Light that the surface sends to the eye, before the air. ray: unit, from the eye; below: what comes from under it;

@@ -44,6 +44,7 @@ struct FrameBlock {
   glm::vec4 sky_glow;
   glm::vec4 fineness;
   glm::vec4 depth;
+  glm::vec4 lens;
   glm::ivec4 channel;
 };
 

@@ -1,9 +1,17 @@
 #include "passes/ground_nodes.hpp"
 
+#include <string>
+
 #include "passes/layers.hpp"
 #include "planet/node_grids.hpp"
 
 namespace terrella {
+
+void GroundNodes::want(const Needs& needs) {
+  const bool in_waves = needs.in_water && needs.water == Water::waves;
+  program_.want(std::string(in_waves ? "ground/nodes_in_waves" : "ground/nodes") +
+                (needs.ground_mapped ? "_mapped" : ""));
+}
 
 void GroundNodes::draw(const Frame& frame) {
   const LayerBlock block = layer_block(frame.scene, frame.pose, 0);

@@ -11,9 +11,7 @@ namespace terrella {
 
 class GroundNodes : public GroundPass {
  public:
-  void want(const Needs& needs) override {
-    program_.want(needs.ground_mapped ? "ground/nodes_mapped" : "ground/nodes");
-  }
+  void want(const Needs& needs) override;
   bool ready() override { return program_.ready(); }
   void draw(const Frame& frame) override;
 

@@ -66,16 +66,17 @@ void SeaPass::want(const Needs& needs) {
 }
 
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
-  if (!over_nodes_) return draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
-  if (!has_real_size) return;  // where nothing is over nodes, but only this tells a linker
-  draw_over(frame, *ground->nodes(frame.ground_shown));
+  // Its other side is seen from the water alone.
+  if (frame.needs.in_water) glDisable(GL_CULL_FACE);
+  if (!over_nodes_) {
+    draw_sphere(frame, ground != nullptr ? ground->ranges() : std::span<const RadiusRange>());
+  } else if (has_real_size) {  // nothing is over nodes elsewhere, but only this tells a linker
+    draw_over(frame, *ground->nodes(frame.ground_shown));
+  }
+  glEnable(GL_CULL_FACE);
 }
 
 void SeaPass::draw_over(const Frame& frame, const NodeMeshes& nodes) {
-  if (technique_ == Water::waves) {
-    set_waves(frame);
-    short_waves_.set(frame);
-  }
   const bool patient = frame.effort == Effort::complete;
   const auto draw = [&](const gl::Program& program, NodeLayer layer) {
     nodes.draw(frame, program, layer, [&](double spacing) {
@@ -87,12 +88,13 @@ void SeaPass::draw_over(const Frame& frame, const NodeMeshes& nodes) {
 }
 
 void SeaPass::set_waves(const Frame& frame) {
+  if (technique_ != Water::waves) return;
+  if (has_real_size && over_nodes_) short_waves_.set(frame);
   const WaveBlock block = wave_block(frame.sea);
   waves_.set(gl::block_waves, std::as_bytes(std::span(&block, 1)));
 }
 
 void SeaPass::draw_sphere(const Frame& frame, std::span<const RadiusRange> ground) {
-  if (frame.needs.water == Water::waves) set_waves(frame);
   program_->use(frame.effort == Effort::complete);
   const RadiusRange water = water_range(frame);
   std::vector<float> tops(group_count, static_cast<float>(water.highest));

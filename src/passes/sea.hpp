@@ -21,11 +21,13 @@ class SeaPass {
   // True once drawing will not wait for it.
   bool ready() { return program_->ready() && (!deep_program_ || deep_program_->ready()); }
 
+  // Tells the waves of a frame to whatever is drawn in it.
+  void set_waves(const Frame& frame);
+
   // ground: or nothing. Where it stands out of the water whole, no water is drawn; of one of nodes the sea takes those.
   void draw(const Frame& frame, const GroundPass* ground);
 
  private:
-  void set_waves(const Frame& frame);
   void draw_over(const Frame& frame, const NodeMeshes& nodes);
   void draw_sphere(const Frame& frame, std::span<const RadiusRange> ground);
 

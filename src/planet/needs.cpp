@@ -145,7 +145,7 @@ void decide_fineness(Needs& needs, const Scene& scene, const Pose& pose) {
              "m between vertices, which shows the finest layer of noise: no closer anywhere");
   constexpr double coarsest_spacing = 0.2;  // about that of undivided nodes of the fewest cells
   needs.ground_spacing =
-      std::clamp(part_between_vertices(needs.ground_split, needs.ground_cells) * lift_over(pose.clearance),
+      std::clamp(part_between_vertices(needs.ground_split, needs.ground_cells) * lift_over(pose.nearest),
                  std::min(needs.ground_finest, coarsest_spacing), coarsest_spacing);
   needs.pixel_octaves_end = visible_octaves(terrain.frequency, terrain.lacunarity, terrain.octaves,
                                             std::max(footprint_below(scene, pose), finest_footprint));
@@ -225,14 +225,32 @@ void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decision
                        : "a ripple is smaller than quality.finest_layer: it only widens the glitter");
 }
 
-void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pose, Decisions& decide) {
+// What the eye sees from within the water.
+void decide_dive(Needs& needs, const Scene& scene, const View& view, const Pose& pose, Decisions& decide) {
+  if (!scene.camera.dives) return;
+  needs.in_water = is_in_water(pose, view);
+  if (is_all_in_water(pose, view)) {
+    // Less than a thousandth of any colour is left there.
+    const glm::dvec3 extinction = water_look_of(scene).extinction;
+    needs.water_sight = 7.0 / std::max(std::min({extinction.x, extinction.y, extinction.z}), 1e-9);
+  }
+  decide.add("water.seen_from",
+             needs.water_sight > 0.0 ? "below"
+             : needs.in_water        ? "both"
+                                     : "above",
+             needs.water_sight > 0.0 ? "camera.dives: the eye is under water"
+             : needs.in_water        ? "camera.dives: the surface passes over the lens"
+                                     : "the eye is over the water");
+}
+
+void decide_water(Needs& needs, const Scene& scene, const View& view, const Pose& pose, Decisions& decide) {
   const auto& water = scene.water;
   if (!has_water(scene)) {
     return decide.add("water", name_of(needs.water),
                       water.model == model_none ? "water.model asks for none" : "water.level is 0");
   }
   const Sea sea = make_sea(scene, 0.0);
-  const double pixel = std::max(pose.pixel_angle * pose.clearance, 1e-12);
+  const double pixel = std::max(pose.pixel_angle * pose.nearest, 1e-12);
   const bool nodes = has_nodes(needs.ground);
   if (water.model == water_calm) {
     needs.water = Water::calm;
@@ -253,6 +271,7 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
     decide.add("waves.steepness", sea.steepness,
                sea.held ? "held where the surface would fold over" : "as asked; the surface does not fold");
   }
+  decide_dive(needs, scene, view, pose, decide);
   needs.hides_waves = nodes && needs.water == Water::calm && !sea.is_calm();
   const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
   needs.water_level = needs.water == Water::waves ? finest_relief_level(scene) : sphere_level(allowed);
@@ -266,12 +285,12 @@ void decide_water(Needs& needs, const Scene& scene, const View&, const Pose& pos
   // as an error.
   if (has_nodes(needs.ground)) {
     needs.water_lift = std::min(scene.quality.pixel_error * pose.pixel_angle, 0.05);
-    needs.water_hides = hiding_depth(scene, sea);
+    needs.water_hides = needs.in_water ? 1.0 : hiding_depth(scene, sea);
     needs.sea_swell = needs.water == Water::waves ? sea.highest : 0.0;
     needs.water_most_lift = has_clouds(scene) ? of_gap * std::max(cloud_radius(scene) - water_radius(scene), 0.0) : 1.0;
   } else {
     needs.water_lift =
-        std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.clearance});
+        std::min({icosphere_sag(needs.water_level) + needs.ground_tolerance, allowed, 0.05 * pose.nearest});
   }
 
   decide_ripples(needs, scene, pose, decide);
@@ -457,7 +476,7 @@ int ground_level(const Scene& scene) {
 }
 
 double footprint_below(const Scene& scene, const Pose& pose) {
-  return pose.pixel_angle * pose.clearance * footprint_of_pixel(scene);
+  return pose.pixel_angle * pose.nearest * footprint_of_pixel(scene);
 }
 
 bool may_move(const Scene& scene) {

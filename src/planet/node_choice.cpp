@@ -147,11 +147,15 @@ class Choice {
   }
 
   [[nodiscard]] bool is_seen(const NodeCache::Entry& entry) const {
-    return is_between_sides(entry.frame, 0.0) && !behind_horizon(entry.frame, 1.0);
+    return is_near_enough(entry.frame) && is_between_sides(entry.frame, 0.0) && !behind_horizon(entry.frame, 1.0);
   }
 
   [[nodiscard]] bool is_around(const NodeCache::Entry& entry) const {
     return is_between_sides(entry.frame, look_aside) && !behind_horizon(entry.frame, look_over);
+  }
+
+  [[nodiscard]] bool is_near_enough(const NodeFrame& frame) const {
+    return std::isinf(sight_.farthest) || nearest_to(frame.outline, eye_.direction) < sight_.farthest;
   }
 
   // aside: rad beyond them.

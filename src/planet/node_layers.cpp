@@ -26,7 +26,9 @@ NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pos
   const double sea = needs.water == Water::none ? 0.0 : water_radius(scene);
   // Under all of the ground and the water, and what they hide lies behind it.
   NodeSight sight = node_sight(pose, view, {0, view.height}, std::max(sea - needs.sea_swell, 1.0));
-  sight.mountains_hide = true;
+  // From under water it is seen against what lies over it.
+  sight.mountains_hide = !needs.in_water;
+  if (needs.water_sight > 0.0) sight.farthest = needs.water_sight;
   sight.sea = sea;
   if (sea > 0.0) {
     sight.sea_lift = needs.water_lift;

@@ -17,7 +17,7 @@ NodeEye eye_over(const f64::Terrain& terrain, const Pose& pose) {
   const glm::dvec3 u = f64::perpendicular(up), v = glm::cross(up, u);
   // Nothing further aside than the ground below can be nearer.
   const double reach = std::min(pose.clearance, 0.5 * std::numbers::pi);
-  double nearest = pose.clearance;
+  double nearest = pose.nearest;
   for (int ring = 1; ring <= rings; ++ring) {
     const double angle = reach * ring / rings;
     for (int spoke = 0; spoke < spokes; ++spoke) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include <glm/vec3.hpp>
 
@@ -18,7 +19,8 @@ struct NodeSight {
   double sea = 0.0;                 // radius up to which a sea lies over lower ground; 0: there is none
   // By how much it is raised: a part of its distance, and never more than that (Needs).
   double sea_lift = 0.0, most_sea_lift = 0.0;
-  double sea_hides = 0.0;  // depth of the ground from which nothing of it is seen
+  double sea_hides = 0.0;                                     // depth of the ground from which nothing of it is seen
+  double farthest = std::numeric_limits<double>::infinity();  // from where nothing is seen
   double sea_swell = 0.0;  // by how much waves raise it, or move it aside, at the most
 
   // Radius of the highest sea over a node.

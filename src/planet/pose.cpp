@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -33,7 +34,7 @@ void set_depth_range(Pose& pose, const View& view, const Scene& scene) {
   const double at_edge = std::cos(picture_half_angle(pose, view)), ahead = -glm::dot(pose.eye, pose.forward);
   // A part of the clearance to stay clear of hills beside the eye, and what is left of it over or under the clouds, but
   // no less than depths can bear where the eye passes through them; far away, the planet's nearest point.
-  pose.near = 0.3 * std::min(1.0, at_edge / 0.7) * pose.clearance;
+  pose.near = 0.3 * std::min(1.0, at_edge / 0.7) * pose.nearest;
   if (has_clouds(scene)) {
     const double to_clouds = 0.9 * at_edge * std::abs(distance - cloud_radius(scene));
     pose.near = std::min(pose.near, std::max(to_clouds, 0.03 * pose.near));
@@ -88,14 +89,25 @@ double highest_sea(const Scene& scene, double ground) {
   return still + highest * glm::smoothstep(0.0, whole_wave_depth(sea), depth);
 }
 
-// Radius of the water as short waves raise or lower it, on the highest of the long ones. sea: at a moment.
-double water_of_short_waves(const Scene& scene, const Sea& sea, const glm::dvec3& direction) {
-  const double still = water_radius(scene), ground = has_ground(scene) ? ground_below(scene, direction) : 1.0;
-  const double depth = has_ground(scene) ? still - ground : whole_wave_depth(sea);
+// The water that lies over a place.
+struct WaterOver {
+  double radius;
+  glm::dvec3 normal;  // unit
+};
+
+// As its waves stand. sea: at a moment.
+WaterOver water_over(const Scene& scene, const Sea& sea, const glm::dvec3& direction) {
+  const double still = water_radius(scene);
+  if (sea.is_calm()) return {still, direction};
+  const double whole = whole_wave_depth(sea);
   f64::Shore shore = shore_of(scene, sea);
-  shore.depth = depth;
-  return highest_sea(scene, ground) + f64::left_ashore(depth, whole_wave_depth(sea)) *
-                                          water_over(near_waves(sea, direction, shore.felt_depth), shore);
+  shore.depth = has_ground(scene) ? still - ground_below(scene, direction) : whole;
+  const NearWaves near = near_waves(sea, direction, shore.felt_depth);
+  const double left = has_nodes(ground_technique(scene)) ? f64::left_ashore(shore.depth, whole)
+                                                         : f64::left_by_ground(shore.depth, whole);
+  const f64::WaveSum sum = f64::attenuate(waves_over(sea, near, shore), left, {0.0, 0.0});
+  const glm::dvec3 normal = glm::normalize(f64::wave_normal(sum));
+  return {still + sum.height, f64::normal_in_frame(normal, near.axes, direction)};
 }
 
 }  // namespace
@@ -105,7 +117,7 @@ double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   double surface = ground;
   if (ground_technique(scene) == Ground::icosphere)
     surface = std::max(surface, drawn_ground_radius(terrain_of(scene), direction, ground_level(scene)));
-  if (has_water(scene)) surface = std::max(surface, highest_sea(scene, ground));
+  if (has_water(scene) && !scene.camera.dives) surface = std::max(surface, highest_sea(scene, ground));
   return surface;
 }
 
@@ -129,7 +141,9 @@ Pose pose_over(double surface, const Scene& scene, const View& view) {
   Pose pose;
   pose.raised = asked < distance;
   pose.eye = distance * down_from;
-  pose.clearance = distance - surface;
+  pose.clearance = pose.nearest = distance - surface;
+  pose.over_water = std::numeric_limits<double>::infinity();
+  pose.water_normal = down_from;
 
   // East and north from the longitude itself: they are defined at the poles, too.
   const double lon = glm::radians(camera.longitude);
@@ -148,6 +162,24 @@ Pose pose_over(double surface, const Scene& scene, const View& view) {
   return pose;
 }
 
+// Tells where the water is that may pass over the eye.
+void let_dive(Pose& pose, const Scene& scene, const View& view) {
+  if (!scene.camera.dives || !has_water(scene)) return;
+  const Sea sea = make_sea(scene, view.seconds);
+  const auto tell_water_below = [&](const glm::dvec3& place) {
+    const double distance = glm::length(place);
+    const WaterOver water = water_over(scene, sea, place / distance);
+    pose.over_water = distance - water.radius;
+    pose.water_normal = water.normal;
+  };
+  tell_water_below(pose.eye);
+  // A lens has its width.
+  const double least = std::min(least_clearance(scene), pose.clearance);
+  pose.nearest = std::clamp(std::abs(pose.over_water), least, pose.clearance);
+  set_depth_range(pose, view, scene);
+  tell_water_below(pose.eye + pose.near * pose.forward);
+}
+
 glm::dvec3 direction_below(const Scene& scene) { return direction_of(scene.camera.latitude, scene.camera.longitude); }
 
 }  // namespace
@@ -156,12 +188,13 @@ Pose pose_of(const Scene& scene, const View& view) {
   const glm::dvec3 below = direction_below(scene);
   const double surface = surface_radius(scene, below);
   Pose pose = pose_over(surface, scene, view);
-  if (!has_real_size || !has_water(scene)) return pose;
+  let_dive(pose, scene, view);
+  if (!has_real_size || !has_water(scene) || scene.camera.dives) return pose;
   // Eyes between crests and troughs stay over the water, but are not raised for good.
   const Sea sea = make_sea(scene, view.seconds);
   if (!sea.short_waves.empty() && pose.clearance <= sea.highest) {
     const bool raised = pose.raised;
-    pose = pose_over(std::max(surface, water_of_short_waves(scene, sea, below)), scene, view);
+    pose = pose_over(std::max(surface, water_over(scene, sea, below).radius), scene, view);
     pose.raised = raised;
   }
   return pose;
@@ -170,8 +203,31 @@ Pose pose_of(const Scene& scene, const View& view) {
 Pose pose_over_coarse_ground(const Scene& scene, const View& view) {
   const glm::dvec3 below = direction_below(scene);
   const double coarse = drawn_ground_radius(terrain_of(scene), below, coarse_level);
-  return pose_over(std::max(surface_radius(scene, below), coarse), scene, view);
+  Pose pose = pose_over(std::max(surface_radius(scene, below), coarse), scene, view);
+  let_dive(pose, scene, view);
+  return pose;
 }
+
+glm::dvec3 lens_above_water(const Pose& pose) {
+  if (!std::isfinite(pose.over_water)) return pose.forward;
+  const double over = pose.over_water - pose.near * glm::dot(pose.forward, pose.water_normal);
+  const glm::dvec3 normal = pose.near * pose.water_normal + over * pose.forward;
+  const double length = glm::length(normal);
+  // Where the water's surface lies on the lens itself.
+  return length > 0.0 ? normal / length : pose.water_normal;
+}
+
+namespace {
+
+// How far the corners of the lens are from its middle, and a little more.
+double lens_reach(const Pose& pose, const View& view) {
+  return 1.1 * pose.near * std::tan(std::min(picture_half_angle(pose, view), 1.5));
+}
+
+}  // namespace
+
+bool is_in_water(const Pose& pose, const View& view) { return pose.over_water < lens_reach(pose, view); }
+bool is_all_in_water(const Pose& pose, const View& view) { return pose.over_water < -lens_reach(pose, view); }
 
 glm::dvec3 ray_through(const Pose& pose, const View& view, const glm::dvec2& pixel) {
   const double x = (2.0 * (pixel.x - view.shift.x) - view.width) / view.height;

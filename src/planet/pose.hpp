@@ -32,7 +32,10 @@ struct Pose {
   glm::dvec3 forward, right, up;  // unit
   double tan_half_fov;            // of the picture's vertical field of view
   double pixel_angle;             // rad, in the middle of the picture
-  double clearance;               // height of the eye over the highest of ground and sea below it
+  double clearance;               // height of the eye over the surface that it is kept above (surface_radius)
+  double over_water;              // height of the lens over the water that may pass over it; infinite where none may
+  glm::dvec3 water_normal;        // unit, of that water
+  double nearest;                 // distance of the nearest of what lies above and below the eye
   double near, far;               // distances between which everything lies
   bool raised;                    // the asked place was under the ground or the sea, short waves apart
 };
@@ -43,8 +46,9 @@ double least_clearance(const Scene& scene);
 // Unit vector to a place on the planet. Degrees.
 glm::dvec3 direction_of(double latitude, double longitude);
 
-// Radius of the highest of ground and sea at a direction, as seen and as computed in full: under waves that are long
-// beside the planet, of the highest crest that may come there; of a sea of short ones, as it is without them.
+// Radius of the surface that a camera is kept above at a direction, as seen and as computed in full: of the ground, and
+// of the sea if that is higher and the camera doesn't dive: under waves that are long beside the planet, of the highest
+// crest that may come there; of a sea of short ones, as it is without them.
 double surface_radius(const Scene& scene, const glm::dvec3& direction);
 
 // Total: any scene that passes validation gives a finite pose.
@@ -66,6 +70,14 @@ struct Rows {
 
   bool operator==(const Rows&) const = default;
 };
+
+// The unit normal of a plane through the eye: what the picture shows on the side that it points to begins in the air,
+// the rest in the water. It cuts the near plane, where the lens is, as the surface of the water does in its middle.
+glm::dvec3 lens_above_water(const Pose& pose);
+
+// Whether the lens, or a part of it, is under water.
+bool is_in_water(const Pose& pose, const View& view);
+bool is_all_in_water(const Pose& pose, const View& view);
 
 // Two unit vectors that point inwards from the planes through the eye between which rows lie, with a margin (rad)
 // around them; zero on a side where the rows reach the picture's edge.

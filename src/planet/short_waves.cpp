@@ -47,19 +47,21 @@ NearWaves near_waves(const Sea& sea, const glm::dvec3& eye, double felt_depth) {
   return near;
 }
 
-double water_over(const NearWaves& near, const f64::Shore& shore) {
+f64::WaveSum waves_over(const Sea& sea, const NearWaves& near, const f64::Shore& shore) {
   const glm::dvec3 parts = f64::parts_of_regions(near.anchor);
   // The water of a still place that lies as far to one side as it is moved to the other.
   f64::WaveSum sum = f64::no_waves();
   for (int step = 0; step < 5; ++step) {
     const glm::dvec2 still = -sum.shift;
+    const glm::dvec3 place = glm::normalize(near.anchor + still.x * near.axes.east + still.y * near.axes.north);
     sum = f64::no_waves();
+    for (const f64::Wave& wave : sea.waves) f64::add_wave(sum, place, near.axes, wave, 1.0);
     for (int axis = 0; axis < 3; ++axis) {
       for (const f64::ShortWave& wave : near.waves.at(static_cast<std::size_t>(axis)))
         f64::add_short_wave(sum, f64::ashore(f64::course_of(wave, still), wave, shore), wave, parts[axis]);
     }
   }
-  return sum.height;
+  return sum;
 }
 
 }  // namespace terrella

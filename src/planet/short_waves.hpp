@@ -24,8 +24,7 @@ NearWaves near_waves(const Sea& sea, const glm::dvec3& eye, double felt_depth);
 // A wave as an anchor (unit) sees it, along its axes.
 f64::ShortWave seen_from(const f64::Wave& wave, const glm::dvec3& anchor, const f64::Frame& axes, double felt_depth);
 
-// How high the water that lies over the anchor stands over the still sea, planet radii; not held by the ground.
-// shore: there.
-double water_over(const NearWaves& near, const f64::Shore& shore);
+// All waves of a sea in the water that lies over the anchor, told along its axes; not held by the ground. shore: there.
+f64::WaveSum waves_over(const Sea& sea, const NearWaves& near, const f64::Shore& shore);
 
 }  // namespace terrella

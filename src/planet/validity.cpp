@@ -146,10 +146,10 @@ void judge_water(const Scene& scene, const View& view, const Pose& pose, const N
   const bool waves = needs.water == Water::waves, ripples = needs.ripple_layers > 0;
   if ((waves && !has_nodes(needs.ground)) || ripples) {
     const double nearest = (waves ? waves_swim : ripples_swim) / most_swim / pose.pixel_angle;
-    if (pose.clearance < nearest) {
+    if (pose.nearest < nearest) {
       const double radius = scene.planet.radius;
       issues.push_back({"camera.altitude",
-                        text_of(number(pose.clearance * radius), " m over the surface ", waves ? "waves" : "ripples",
+                        text_of(number(pose.nearest * radius), " m over the surface ", waves ? "waves" : "ripples",
                                 " swim by more than a tenth of a pixel when the camera moves; they hold from ",
                                 number(nearest * radius), " m on.")});
     }

@@ -59,7 +59,7 @@ Resolution Tracer::resolution_from(const glm::dvec3& place) const {
 }
 
 std::optional<Tracer::Surface> Tracer::surface_along(const Ray& ray) const {
-  const Resolution resolution = {piece_, piece_ * pose_.clearance};
+  const Resolution resolution = {piece_, piece_ * pose_.nearest};
   const auto water = sea_ ? sea_->hit(ray, infinity, resolution) : std::nullopt;
   const auto ground = ground_ ? ground_->hit(ray, water.value_or(infinity), resolution) : std::nullopt;
   if (ground) return Surface{*ground, ground_at(ray.at(*ground))};
@@ -83,8 +83,8 @@ Tracer::SeenWater Tracer::water_at(const glm::dvec3& place) const {
   const WaterAt at = sea_->over(glm::normalize(place));
   if (sea_->has_waves()) {
     if (has_nodes(ground_technique(scene_)))
-      return {at, f64::open_water(at.still, glm::normalize(pose_.eye - place), at.depth, at.sum, at.frame, {0.0, 0.0},
-                                  sea_->breaking(), sea_->lace_at(at.still), sea_->whole_depth(), look_)};
+      return {at, f64::open_water(at.still, glm::normalize(pose_.eye - place), false, at.depth, at.sum, at.frame,
+                                  {0.0, 0.0}, sea_->breaking(), sea_->lace_at(at.still), sea_->whole_depth(), look_)};
     const double amplitude = std::max(sea_->amplitude(), 1e-9);
     return {at, f64::wavy_water(at.still, at.depth, at.sum, at.frame, amplitude, sea_->whole_depth(), look_)};
   }

@@ -121,14 +121,16 @@ void Renderer::choose_techniques(Effort effort) {
   const bool may_fade = has_real_size && needs_.ground == Ground::persistent_grid;
   if (!may_fade) fade_.reset();
   if (may_fade && !fade_) fade_.emplace();
+  if (!needs_.in_water) backdrop_.reset();
+  if (needs_.in_water && !backdrop_) backdrop_.emplace();
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
   if (clouds_) clouds_->want(needs_);
 }
 
 double Renderer::ready() {
-  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(),          air_.ready(),
-                        clouds_.ready(),  rings_.ready(),  !fade_ || fade_->ready()};
+  const bool ready[] = {picture_.ready(), ground_.ready(), water_.ready(),           air_.ready(),
+                        clouds_.ready(),  rings_.ready(),  !fade_ || fade_->ready(), !backdrop_ || backdrop_->ready()};
   return static_cast<double>(std::count(std::begin(ready), std::end(ready), true)) / std::size(ready);
 }
 
@@ -182,10 +184,14 @@ double Renderer::part_before() const { return has_real_size && ground_ ? ground_
 
 void Renderer::draw_light(const Frame& frame) {
   draw_opaque();
+  if (water_) water_->set_waves(frame);
+  const bool in_color = frame.channel == Channel::color;
+  if (backdrop_ && in_color) backdrop_->draw(frame);
   // The ground first: it costs little where water hides it, and hides the water behind it.
   if (ground_) ground_->draw(frame);
   if (water_) water_->draw(frame, ground_.get());
-  if (frame.channel == Channel::color) {
+  if (backdrop_ && in_color) backdrop_->close();
+  if (in_color) {
     draw_veils();
     if (stars_) stars_->draw(frame);
     if (sun_) sun_->draw_disc(frame);
@@ -196,7 +202,7 @@ void Renderer::draw_light(const Frame& frame) {
     if (rings_) rings_->draw_shadow(frame);
     if (rings_) rings_->draw_before();
     draw_overlays();
-    if (sun_) sun_->draw_glare(frame);
+    if (sun_ && frame.pose.over_water > 0.0) sun_->draw_glare(frame);
   }
 }
 

@@ -20,6 +20,7 @@
 #include "passes/sea.hpp"
 #include "passes/stars_noise.hpp"
 #include "passes/sun_disc.hpp"
+#include "passes/water_backdrop.hpp"
 #include "render/slot.hpp"
 
 namespace terrella {
@@ -120,6 +121,7 @@ class Renderer {
   Slot<NightSide, NightLights> night_;
   Slot<SunImage, SunDisc> sun_;
   Slot<Rings, RingsPlane> rings_;
+  std::optional<WaterBackdrop> backdrop_;  // where the eye is under water
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;
   std::optional<LightFade> fade_;  // where a ground may give way to the next

@@ -151,11 +151,12 @@ TEST(OpenWater, IsAsWhiteFromAfarAsOnAverage) {
     const glm::dvec2 at(places.between(-1.0, 1.0) * 1e-3, places.between(-1.0, 1.0) * 1e-3);
     for (const f64::ShortWave& wave : waves) f64::add_short_wave(sum, f64::course_of(wave, at), wave, 1.0);
     mean +=
-        f64::open_water(up, eye, 1.0, sum, frame, {0.0, 0.0}, breaking, {0.0, 0.0}, 1e-3, plain_look()).foam / count;
+        f64::open_water(up, eye, false, 1.0, sum, frame, {0.0, 0.0}, breaking, {0.0, 0.0}, 1e-3, plain_look()).foam /
+        count;
   }
-  const double from_afar =
-      f64::open_water(up, eye, 1.0, f64::no_waves(), frame, {variance, 0.0}, breaking, {0.0, 0.0}, 1e-3, plain_look())
-          .foam;
+  const double from_afar = f64::open_water(up, eye, false, 1.0, f64::no_waves(), frame, {variance, 0.0}, breaking,
+                                           {0.0, 0.0}, 1e-3, plain_look())
+                               .foam;
   EXPECT_GT(mean, 0.02);
   EXPECT_NEAR(from_afar, mean, 0.15 * mean);
 }
@@ -164,8 +165,8 @@ TEST(OpenWater, IsAsWhiteFromAfarAsOnAverage) {
 TEST(OpenWater, IsRougherByTheWavesThatAreNotShown) {
   const glm::dvec3 up(0.0, 0.0, 1.0);
   const auto roughness = [&](double unseen) {
-    return f64::open_water(up, up, 1.0, f64::no_waves(), f64::frame_at(up), {unseen, 0.0}, {0.5, 0.1, 0.0}, {0.0, 0.0},
-                           1e-3, plain_look())
+    return f64::open_water(up, up, false, 1.0, f64::no_waves(), f64::frame_at(up), {unseen, 0.0}, {0.5, 0.1, 0.0},
+                           {0.0, 0.0}, 1e-3, plain_look())
         .roughness;
   };
   EXPECT_DOUBLE_EQ(roughness(0.0), 0.1);
@@ -191,7 +192,7 @@ TEST(OpenWater, ReflectsAsMuchAsItsWavesDoOnAverage) {
         weights += seen;
       }
       const f64::Water water =
-          f64::open_water(up, eye, 1.0, f64::no_waves(), f64::frame_at(up), {2.0 * deviation * deviation, 0.0},
+          f64::open_water(up, eye, false, 1.0, f64::no_waves(), f64::frame_at(up), {2.0 * deviation * deviation, 0.0},
                           {0.0, 0.1, 0.0}, {0.0, 0.0}, 1e-3, plain_look());
       const double told = f64::varied_schlick(glm::dot(water.facing, eye), r0, water.variance);
       EXPECT_NEAR(told, sum / weights, 0.04) << deviation << ' ' << climb;

@@ -215,7 +215,7 @@ TEST(NearWaves, TellTheWaterOverTheAnchor) {
   for (int i = 0; i < 20; ++i) {
     const glm::dvec3 place = places.on_sphere();
     const NearWaves near = near_waves(sea, place, felt);
-    const double height = water_over(near, {1.0, {0.0, 0.0}, 1.0, felt});
+    const double height = waves_over(sea, near, {1.0, {0.0, 0.0}, 1.0, felt}).height;
     // The nearest of still places around, a tenth of a metre apart, to where the water of one of them lies over it.
     double nearest = 1.0, found = 0.0;
     for (int x = -60; x <= 60; ++x) {

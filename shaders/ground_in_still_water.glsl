@@ -1,0 +1,2 @@
+// Ground on which water gathers no light.
+float gathered_in_water(vec3 offset, float depth, vec3 up, SceneLight scene) { return 0.0; }
