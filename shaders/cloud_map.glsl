@@ -31,17 +31,13 @@ float shade_of_clouds(vec3 place) {
   return cloud_shade(place, cloud_thickness(noise, clouds_coverage, clouds_softness), clouds);
 }
 
-// The sky with its clouds along a ray from a place of the water. roughness: of the water, which blurs them.
-vec3 sky_from(LightAt at, vec3 ray, float roughness, SceneLight scene) {
+// The sky with its clouds along a ray (unit) from a place of the water.
+vec3 sky_from(LightAt at, vec3 ray, SceneLight scene) {
   vec3 light = sky_along(at, ray, scene);
-  if (cloud_turn.w == 0.0) return light;
   Clouds clouds = scene_clouds();
   vec3 place = sea.x * at.up;
-  float reach = clouds.height + 1.0 - sea.x;
-  float climb = max(dot(at.up, ray), 0.0);
-  if (reach <= 0.0) return light;
-  float square = reach * (2.0 * sea.x + reach);
-  float way = square / (sea.x * climb + sqrt(sea.x * sea.x * climb * climb + square));
+  float way = way_to_clouds(place, ray, clouds);
+  if (cloud_turn.w == 0.0 || way <= 0.0) return light;
   CloudAt cloud = cloud_place(normalize(place + way * ray), scene.sun, clouds);
   cloud.noise = cloud_noise(cloud.up);
   cloud.rise = cloud_noise(cloud_entry(cloud)) - cloud.noise;

@@ -17,7 +17,7 @@ vec3 side_of_eye(vec3 up) { return begins_in_water(surface_from_eye) ? -up : up;
 // Light of the surface as it comes to the eye through the air. ray: unit, from the eye.
 vec3 light_of_surface(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
   vec3 below = light_from_below(w, at, refracted_ray(ray, w.facing, water_look()), shade, scene);
-  vec3 mirrored = sky_from(at, reflect(ray, w.facing), w.roughness, scene);
+  vec3 mirrored = sky_from(at, reflect(ray, w.facing), scene);
   vec3 light = water_light(w, at, ray, below, mirrored, shade, water_look(), scene);
   return through_air(light, at, surface_from_eye, scene);
 }
@@ -26,7 +26,7 @@ vec3 light_of_surface(Water w, LightAt at, vec3 ray, float shade, SceneLight sce
 vec3 light_of_surface_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
   w.facing = reflect(w.facing, w.normal);
   vec3 mirrored = light_from_below(w, at, reflect(ray, w.facing), shade, scene);
-  vec3 above = sky_from(at, ray_above(ray, w.facing, water_look()), w.roughness, scene);
+  vec3 above = sky_from(at, ray_above(ray, w.facing, water_look()), scene);
   vec3 light = water_light_below(w, at, ray, above, mirrored, shade, water_look(), scene);
   return to_eye_in_water(light, surface_from_eye, scene);
 }

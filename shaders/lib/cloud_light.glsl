@@ -58,12 +58,17 @@ Veil cloud_veil(CloudAt cloud, vec3 offset, Clouds clouds, SceneLight scene) {
   return veil;
 }
 
+// How far it is along a ray (unit) from a place under the shell to it, held to a level ray where it sinks; below 0: the place lies
+// over it.
+float way_to_clouds(vec3 place, vec3 ray, Clouds clouds) {
+  float climb = dot(place, ray);
+  float reach = (1.0 + clouds.height) * (1.0 + clouds.height) - dot(place, place);
+  return reach / (max(climb, 0.0) + sqrt(max(climb * climb + reach, 1.0e-8)));
+}
+
 // Where the sunlight of a place has passed the shell, unit.
 vec3 cloud_before_sun(vec3 place, vec3 sun, Clouds clouds) {
-  float climb = dot(place, sun);
-  float reach = (1.0 + clouds.height) * (1.0 + clouds.height) - dot(place, place);
-  float way = reach / (max(climb, 0.0) + sqrt(max(climb * climb + reach, 1.0e-8)));
-  return normalize(place + way * sun);
+  return normalize(place + way_to_clouds(place, sun, clouds) * sun);
 }
 
 // Part of the sunlight that the clouds leave at a place; all of it above them. thickness: of the cloud before the sun.

@@ -7,8 +7,16 @@ in vec3 view_ray;
 void main() {
   if (!begins_in_water(view_ray)) discard;
   const float far = 1.0e3;  // radii
+  SceneLight scene = scene_light();
   vec3 up = normalize(eye_position()), ray = normalize(view_ray);
-  // The surface throws it back.
-  ray -= 2.0 * max(dot(ray, up), 0.0) * up;
-  emit_surface(to_eye_in_water(vec3(0.0), far * ray, scene_light()), view_ray, vec3(0.0), 0.0);
+  float climb = dot(up, ray);
+  vec3 light = to_eye_in_water(vec3(0.0), far * ray, scene);
+  if (climb > 0.0) {
+    // As far as to the surface, which throws back what comes from below.
+    LightAt at = light_at(up, 0.0, scene);
+    float shade = shade_of_clouds(sea.x * up);
+    vec3 mirrored = through_water(vec3(0.0), 0.0, -climb, far, at, shade, water_look(), scene);
+    light = through_water(mirrored, lens.w, climb, min(lens.w / climb, far), at, shade, water_look(), scene);
+  }
+  emit_surface(light, view_ray, vec3(0.0), 0.0);
 }

@@ -6,27 +6,32 @@
 
 namespace terrella::reference {
 
+// The side of a surface that a ray begins on.
+enum class Side { above, below };
+
 // Surface:
 //   double radius_at(direction)                 exact; direction: unit
 //   bool reaches(direction, radius)             whether it is at least radius there
 //   bool stays_below(directions, radius)        true only if all of the surface lies below radius in all Directions
+//   bool stays_above(directions, radius)        the same above it; asked for from below alone
 //
 // Halves the span until no piece is left that the surface might reach, or a piece is as short as the resolution: so a
-// crest is missed only if the ray cuts less than that out of it. Then brackets the crossing. At `from` the ray is above
-// the surface. Returns the distance along the ray, within 1e-13 of it, or nothing.
-template <class Surface>
+// crest is missed only if the ray cuts less than that out of it. Then brackets the crossing. At `from` the ray is on
+// its side of the surface. Returns the distance along the ray, within 1e-13 of it, or nothing.
+template <Side side = Side::above, class Surface>
 std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Span& span,
                                 const Resolution& resolution) {
   const double nearest = -glm::dot(ray.origin, ray.direction);
   const auto height_over = [&](double t) {
     const glm::dvec3 place = ray.at(t);
     const double radius = glm::length(place);
-    return radius - surface.radius_at(place / radius);
+    const double over = radius - surface.radius_at(place / radius);
+    return side == Side::above ? over : -over;
   };
-  const auto under_surface = [&](double t) {
+  const auto past_surface = [&](double t) {
     const glm::dvec3 place = ray.at(t);
     const double radius = glm::length(place);
-    return surface.reaches(place / radius, radius);
+    return surface.reaches(place / radius, radius) == (side == Side::above);
   };
   // Nothing where the ray points at the centre or away from it: rounding would turn it.
   const auto along = [&](const glm::dvec3& direction) -> std::optional<glm::dvec3> {
@@ -38,8 +43,12 @@ std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Sp
     const glm::dvec3 middle = glm::normalize(ray.at(0.5 * (from + to)));
     const double chord = std::max(glm::distance(glm::normalize(ray.at(from)), middle),
                                   glm::distance(glm::normalize(ray.at(to)), middle));
-    return surface.stays_below(Directions{middle, chord, along(middle)},
-                               glm::length(ray.at(std::clamp(nearest, from, to))));
+    const Directions directions{middle, chord, along(middle)};
+    if constexpr (side == Side::below) {
+      return surface.stays_above(directions, std::max(glm::length(ray.at(from)), glm::length(ray.at(to))));
+    } else {
+      return surface.stays_below(directions, glm::length(ray.at(std::clamp(nearest, from, to))));
+    }
   };
   // False position, where an end that stays counts half (the Illinois method): it never leaves the bracket.
   const auto crossing = [&](double above, double below) {
@@ -68,7 +77,7 @@ std::optional<double> first_hit(const Surface& surface, const Ray& ray, const Sp
   const auto search = [&](const auto& self, double from, double to) -> std::optional<double> {
     if (clear(from, to)) return std::nullopt;
     if (to - from < std::max(resolution.per_distance * from, resolution.least))
-      return under_surface(to) ? std::optional(crossing(from, to)) : std::nullopt;
+      return past_surface(to) ? std::optional(crossing(from, to)) : std::nullopt;
     const double middle = 0.5 * (from + to);
     const auto found = self(self, from, middle);
     return found ? found : self(self, middle, to);

@@ -279,6 +279,21 @@ bool Sea::stays_below(const Directions& directions, double radius) const {
   return water.deep && most_of_deep_water(over(directions.middle, true), directions.chord) < radius;
 }
 
+bool Sea::stays_above(const Directions& directions, double radius) const {
+  const double height = radius - radius_;
+  if (height < -sea_.highest) return true;
+  if (!has_waves()) return height < 0.0;
+  return around(directions.middle, directions.chord, height).heights.least > height;
+}
+
+std::optional<double> Sea::hit_from_below(const Ray& ray, double before, const Resolution& resolution) const {
+  const std::optional<Span> shell = within_sphere(ray, radius_ + sea_.highest);
+  if (!shell) return std::nullopt;
+  const double end = std::min(shell->to, before);
+  if (!has_waves()) return end == shell->to ? std::optional(end) : std::nullopt;
+  return first_hit<Side::below>(*this, ray, {0.0, end}, resolution);
+}
+
 std::optional<double> Sea::hit(const Ray& ray, double before, const Resolution& resolution) const {
   const std::optional<Span> still = within_sphere(ray, radius_);
   if (!has_waves()) {

@@ -52,9 +52,12 @@ class Sea {
   [[nodiscard]] double radius_at(const glm::dvec3& direction) const { return glm::length(over(direction).place); }
   [[nodiscard]] bool reaches(const glm::dvec3& direction, double radius) const;
   [[nodiscard]] bool stays_below(const Directions& directions, double radius) const;
+  [[nodiscard]] bool stays_above(const Directions& directions, double radius) const;
 
   // Where a ray that begins above the water meets it, no further than `before`.
   [[nodiscard]] std::optional<double> hit(const Ray& ray, double before, const Resolution& resolution) const;
+  // The same for one that begins in it.
+  [[nodiscard]] std::optional<double> hit_from_below(const Ray& ray, double before, const Resolution& resolution) const;
 
  private:
   // The water of a still place. deep: the ground is known to be too deep there to be felt.

@@ -52,7 +52,15 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
   free_sun_ = free_part_of_sun(scene, pose_, ground_ || sea_ ? 1.0 : 0.0);
 }
 
-Ray Tracer::ray_of(const glm::dvec2& pixel) const { return {pose_.eye, ray_through(pose_, view_, pixel)}; }
+Ray Tracer::ray_of(const glm::dvec2& pixel) const {
+  const glm::dvec3 ray = ray_through(pose_, view_, pixel);
+  if (!is_in_water(pose_, view_)) return {pose_.eye, ray};
+  return {pose_.eye + pose_.near / glm::dot(ray, pose_.forward) * ray, ray};
+}
+
+bool Tracer::begins_in_water(const Ray& ray) const {
+  return sea_ && glm::dot(lens_above_water(pose_), ray.direction) < 0.0;
+}
 
 Resolution Tracer::resolution_from(const glm::dvec3& place) const {
   return {piece_, piece_ * glm::distance(place, pose_.eye)};
@@ -60,10 +68,13 @@ Resolution Tracer::resolution_from(const glm::dvec3& place) const {
 
 std::optional<Tracer::Surface> Tracer::surface_along(const Ray& ray) const {
   const Resolution resolution = {piece_, piece_ * pose_.nearest};
-  const auto water = sea_ ? sea_->hit(ray, infinity, resolution) : std::nullopt;
+  const bool from_below = begins_in_water(ray);
+  const auto water = !sea_        ? std::nullopt
+                     : from_below ? sea_->hit_from_below(ray, infinity, resolution)
+                                  : sea_->hit(ray, infinity, resolution);
   const auto ground = ground_ ? ground_->hit(ray, water.value_or(infinity), resolution) : std::nullopt;
   if (ground) return Surface{*ground, ground_at(ray.at(*ground))};
-  if (water) return Surface{*water, water_at(ray.at(*water))};
+  if (water) return Surface{*water, water_at(ray.at(*water), from_below)};
   return std::nullopt;
 }
 
@@ -79,11 +90,11 @@ Tracer::SeenGround Tracer::ground_at(const glm::dvec3& place) const {
   return ground;
 }
 
-Tracer::SeenWater Tracer::water_at(const glm::dvec3& place) const {
+Tracer::SeenWater Tracer::water_at(const glm::dvec3& place, bool from_below) const {
   const WaterAt at = sea_->over(glm::normalize(place));
   if (sea_->has_waves()) {
     if (has_nodes(ground_technique(scene_)))
-      return {at, f64::open_water(at.still, glm::normalize(pose_.eye - place), false, at.depth, at.sum, at.frame,
+      return {at, f64::open_water(at.still, glm::normalize(pose_.eye - place), from_below, at.depth, at.sum, at.frame,
                                   {0.0, 0.0}, sea_->breaking(), sea_->lace_at(at.still), sea_->whole_depth(), look_)};
     const double amplitude = std::max(sea_->amplitude(), 1e-9);
     return {at, f64::wavy_water(at.still, at.depth, at.sum, at.frame, amplitude, sea_->whole_depth(), look_)};
@@ -102,7 +113,7 @@ Sample Tracer::measured(const Ray& ray, const std::optional<Surface>& surface) c
   Sample sample;
   sample.distance = sample.height = infinity;
   if (!surface) return sample;
-  sample.distance = surface->distance;
+  sample.distance = glm::distance(ray.at(surface->distance), pose_.eye);
   sample.height = glm::length(ray.at(surface->distance)) - 1.0;
   const SeenGround* ground = std::get_if<SeenGround>(&surface->what);
   sample.normal = ground != nullptr ? ground->normal : std::get<SeenWater>(surface->what).look.normal;
@@ -132,27 +143,75 @@ glm::dvec3 Tracer::light_from_below(const Ray& refracted, const f64::LightAt& at
   const glm::dvec3 albedo = albedo_of(bottom);
   const double depth = -bottom.at.height;
   const glm::dvec3 light = f64::light_through(albedo, bottom.normal, depth, *way, at, shade, look_, light_);
-  const glm::dvec3 down = f64::refracted_ray(-light_.sun, bottom.up, look_);
-  const double sun_way = depth / f64::dive_of(down, bottom.up);
-  const double factor = sea_->gathered_at(glm::normalize(bottom.up - sun_way * down), sun_way, look_.refraction_index);
-  return light + (factor - 1.0) * f64::sunlight_through(albedo, bottom.normal, depth, *way, at, shade, look_, light_);
+  const glm::dvec3 sunlight = f64::sunlight_through(albedo, bottom.normal, depth, *way, at, shade, look_, light_);
+  return light + (gathered_on(bottom) - 1.0) * sunlight;
 }
 
-glm::dvec3 Tracer::light_mirrored(const Ray& mirrored, const f64::LightAt& at) const {
-  if (const auto t = ground_ ? ground_->hit(mirrored, infinity, resolution_from(mirrored.origin)) : std::nullopt) {
-    const SeenGround ground = ground_at(mirrored.at(*t));
+double Tracer::gathered_on(const SeenGround& bottom) const {
+  const glm::dvec3 down = f64::refracted_ray(-light_.sun, bottom.up, look_);
+  const double way = -bottom.at.height / f64::dive_of(down, bottom.up);
+  return sea_->gathered_at(glm::normalize(bottom.up - way * down), way, look_.refraction_index);
+}
+
+glm::dvec3 Tracer::sky_from(const Ray& ray, const f64::LightAt& at) const {
+  const glm::dvec3 sky = f64::sky_along(at, ray.direction, light_);
+  const double way = clouds_ ? f64::way_to_clouds(ray.origin, ray.direction, clouds_->clouds()) : 0.0;
+  if (way <= 0.0) return sky;
+  f64::SceneLight from_there = light_;
+  from_there.eye = ray.origin;
+  from_there.eye_height = glm::length(ray.origin) - 1.0;
+  const f64::CloudAt cloud = clouds_->at(glm::normalize(ray.at(way)), light_.sun);
+  return behind(f64::cloud_veil(cloud, way * ray.direction, clouds_->clouds(), from_there), sky);
+}
+
+glm::dvec3 Tracer::light_above(const Ray& ray, const f64::LightAt& at) const {
+  if (const auto t = ground_ ? ground_->hit(ray, infinity, resolution_from(ray.origin)) : std::nullopt) {
+    const SeenGround ground = ground_at(ray.at(*t));
     // Before a place under water there are other waves, which mirror the sky in turn.
     if (ground.at.height > 0.0) return light_of_ground(ground, light_over(ground));
   }
-  return f64::sky_along(at, mirrored.direction, light_);
+  return sky_from(ray, at);
 }
 
 glm::dvec3 Tracer::light_of_water(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const {
   const double shade = shade_at(water.at.still * sea_->still_radius());
   const glm::dvec3 refracted = f64::refracted_ray(ray.direction, water.look.normal, look_);
   const glm::dvec3 below = light_from_below({water.at.place, refracted}, at, shade);
-  const glm::dvec3 mirrored = light_mirrored({water.at.place, glm::reflect(ray.direction, water.look.normal)}, at);
+  const glm::dvec3 mirrored = light_above({water.at.place, glm::reflect(ray.direction, water.look.normal)}, at);
   return f64::water_light(water.look, at, ray.direction, below, mirrored, shade, look_, light_);
+}
+
+glm::dvec3 Tracer::light_of_water_below(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const {
+  const double shade = shade_at(water.at.still * sea_->still_radius());
+  f64::Water look = water.look;
+  look.facing = -look.normal;
+  const glm::dvec3 mirrored = light_from_below({water.at.place, glm::reflect(ray.direction, look.facing)}, at, shade);
+  const glm::dvec3 above = light_above({water.at.place, f64::ray_above(ray.direction, look.facing, look_)}, at);
+  return f64::water_light_below(look, at, ray.direction, above, mirrored, shade, look_, light_);
+}
+
+glm::dvec3 Tracer::light_in_water(const Ray& ray, const std::optional<Surface>& surface) const {
+  const double eye_radius = glm::length(pose_.eye);
+  const f64::LightAt over_eye = f64::light_at(pose_.eye / eye_radius, 0.0, light_);
+  glm::dvec3 light(0.0);
+  double way = bottomless;
+  if (surface) {
+    way = glm::distance(ray.at(surface->distance), pose_.eye);
+    if (const SeenGround* ground = std::get_if<SeenGround>(&surface->what)) {
+      const f64::LightAt at = light_over(*ground);
+      const double shade = shade_at(ground->radius * ground->up);
+      light =
+          light_of_ground(*ground, at) +
+          (gathered_on(*ground) - 1.0) * f64::ground_sunlight(albedo_of(*ground), ground->normal, at, shade, light_);
+      light *= f64::left_at_depth(-ground->at.height, at, look_, light_);
+    } else {
+      const SeenWater& water = std::get<SeenWater>(surface->what);
+      light = light_of_water_below(ray, water, f64::light_at(water.at.still, 0.0, light_));
+    }
+  }
+  const double depth = std::max(sea_->still_radius() - eye_radius, 0.0);
+  const double shade = shade_at(sea_->still_radius() * over_eye.up);
+  return f64::through_water(light, depth, glm::dot(ray.direction, over_eye.up), way, over_eye, shade, look_, light_);
 }
 
 glm::dvec3 Tracer::light_of_sky(const Ray& ray) const {
@@ -214,6 +273,10 @@ Sample Tracer::sample(const glm::dvec2& pixel) const {
   const Ray ray = ray_of(pixel);
   const std::optional<Surface> surface = surface_along(ray);
   Sample sample = measured(ray, surface);
+  if (begins_in_water(ray)) {
+    sample.light = light_in_water(ray, surface);
+    return sample;
+  }
   glm::dvec3 light;
   if (surface) {
     const glm::dvec3 way = surface->distance * ray.direction;
@@ -230,7 +293,8 @@ Sample Tracer::sample(const glm::dvec2& pixel) const {
   }
   const double depth = surface ? surface->distance * glm::dot(ray.direction, pose_.forward) : infinity;
   light += small_lights_.at(pixel, depth);
-  sample.light = before_veils(ray, sample.distance, light) + glare(ray);
+  sample.light = before_veils(ray, sample.distance, light);
+  if (pose_.over_water > 0.0) sample.light += glare(ray);
   return sample;
 }
 

@@ -48,17 +48,19 @@ class Tracer {
     f64::Water look;
   };
   struct Surface {
-    double distance;
+    double distance;  // along the ray
     std::variant<SeenGround, SeenWater> what;
   };
 
+  // From the eye, or where that may dive, from the lens.
   [[nodiscard]] Ray ray_of(const glm::dvec2& pixel) const;
+  [[nodiscard]] bool begins_in_water(const Ray& ray) const;
   [[nodiscard]] std::optional<Surface> surface_along(const Ray& ray) const;
   // The shortest pieces that a ray beside the eye's is looked at in.
   [[nodiscard]] Resolution resolution_from(const glm::dvec3& place) const;
   // place: on the ground.
   [[nodiscard]] SeenGround ground_at(const glm::dvec3& place) const;
-  [[nodiscard]] SeenWater water_at(const glm::dvec3& place) const;
+  [[nodiscard]] SeenWater water_at(const glm::dvec3& place, bool from_below) const;
   [[nodiscard]] Sample measured(const Ray& ray, const std::optional<Surface>& surface) const;
   [[nodiscard]] double shade_at(const glm::dvec3& place) const;
   [[nodiscard]] f64::LightAt light_over(const SeenGround& ground) const;
@@ -67,7 +69,14 @@ class Tracer {
   [[nodiscard]] glm::dvec3 light_of_ground(const SeenGround& ground, const f64::LightAt& at) const;
   [[nodiscard]] glm::dvec3 light_of_water(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const;
   [[nodiscard]] glm::dvec3 light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const;
-  [[nodiscard]] glm::dvec3 light_mirrored(const Ray& mirrored, const f64::LightAt& at) const;
+  // Along a ray from the water up.
+  [[nodiscard]] glm::dvec3 light_above(const Ray& ray, const f64::LightAt& at) const;
+  [[nodiscard]] glm::dvec3 sky_from(const Ray& ray, const f64::LightAt& at) const;
+  // Sunlight that waves gather on the bottom, as a multiple of what it has under a still sea.
+  [[nodiscard]] double gathered_on(const SeenGround& bottom) const;
+  [[nodiscard]] glm::dvec3 light_of_water_below(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const;
+  // As it is seen from within the water. distance: of the surface along the ray.
+  [[nodiscard]] glm::dvec3 light_in_water(const Ray& ray, const std::optional<Surface>& surface) const;
   [[nodiscard]] glm::dvec3 light_of_sky(const Ray& ray) const;
   [[nodiscard]] glm::dvec3 before_veils(const Ray& ray, double distance, glm::dvec3 light) const;
   [[nodiscard]] glm::dvec3 glare(const Ray& ray) const;
