@@ -1,6 +1,7 @@
 // Water as it is seen: what it reflects, what one sees through it, and what floats on it. Lengths in planet radii.
 #include "lib/ground.glsl"
 #include "lib/heights.glsl"
+#include "lib/marching.glsl"
 #include "lib/waves.glsl"
 
 // What a scene's water is like.
@@ -179,20 +180,23 @@ float pattern_shown(vec3 sunlight) {
   return smoothstep(0.005, 0.01, max(sunlight.r, max(sunlight.g, sunlight.b)));
 }
 
+// Integral along a ray of what is left of light on its way down to a place and from there to the eye. before: optical depth of the way
+// down to the eye; along: of the ray; rate: at which both grow together with that.
+float gathered_along(float before, float along, float rate) {
+  float x = rate * along;
+  return along * exp(-max(before + min(x, 0.0), 0.0)) * mean_transmittance(abs(x));
+}
+
 // Light that goes through water to an eye in it, and what the water adds, which is lit the less, the deeper it is. depth: of the eye;
 // climb: cosine of the ray with the vertical; way: through the water; at: over the eye; shade: part of the sunlight left by the
 // clouds. Seen straight down from its surface deep water is light_of_depths.
 vec3 through_water(vec3 light, float depth, float climb, float way, LightAt at, float shade, WaterLook look, SceneLight scene) {
   float steep = max(dot(at.up, scene.sun), 0.3);
   float rate = 1.0 - climb / steep;
-  vec3 before = look.extinction * (depth / steep);
-  vec3 along = look.extinction * way;
-  vec3 x = rate * along;
-  vec3 all = (exp(-before) - exp(-max(before + x, vec3(0.0)))) / (abs(rate) < 1.0e-6 ? 1.0e-6 : rate);
-  vec3 few = exp(-before) * along * (1.0 - 0.5 * x);
-  vec3 gathered = mix(all, few, vec3(lessThan(abs(x), vec3(1.0e-3))));
+  vec3 before = look.extinction * (depth / steep), along = look.extinction * way;
+  vec3 gathered = vec3(gathered_along(before.r, along.r, rate), gathered_along(before.g, along.g, rate), gathered_along(before.b, along.b, rate));
   vec3 source = light_of_depths(at, shade, look, scene) * (1.0 + 1.0 / steep);
-  return light * transmitted(look.extinction, way) + source * max(gathered, vec3(0.0));
+  return light * transmitted(look.extinction, way) + source * gathered;
 }
 
 // What of the light that meets the surface from below is thrown back, all of it beyond the angle of total reflection. facing: as of

@@ -227,7 +227,7 @@ void decide_ripples(Needs& needs, const Scene& scene, const Pose& pose, Decision
 
 // What the eye sees from within the water.
 void decide_dive(Needs& needs, const Scene& scene, const View& view, const Pose& pose, Decisions& decide) {
-  if (!scene.camera.dives) return;
+  if (!scene.water.dive) return;
   needs.in_water = is_in_water(pose, view);
   if (is_all_in_water(pose, view)) {
     // Less than a thousandth of any colour is left there.
@@ -238,8 +238,8 @@ void decide_dive(Needs& needs, const Scene& scene, const View& view, const Pose&
              needs.water_sight > 0.0 ? "below"
              : needs.in_water        ? "both"
                                      : "above",
-             needs.water_sight > 0.0 ? "camera.dives: the eye is under water"
-             : needs.in_water        ? "camera.dives: the surface passes over the lens"
+             needs.water_sight > 0.0 ? "water.dive: the eye is under water"
+             : needs.in_water        ? "water.dive: the surface passes over the lens"
                                      : "the eye is over the water");
 }
 

@@ -117,7 +117,7 @@ double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   double surface = ground;
   if (ground_technique(scene) == Ground::icosphere)
     surface = std::max(surface, drawn_ground_radius(terrain_of(scene), direction, ground_level(scene)));
-  if (has_water(scene) && !scene.camera.dives) surface = std::max(surface, highest_sea(scene, ground));
+  if (has_water(scene) && !scene.water.dive) surface = std::max(surface, highest_sea(scene, ground));
   return surface;
 }
 
@@ -164,7 +164,7 @@ Pose pose_over(double surface, const Scene& scene, const View& view) {
 
 // Tells where the water is that may pass over the eye.
 void let_dive(Pose& pose, const Scene& scene, const View& view) {
-  if (!scene.camera.dives || !has_water(scene)) return;
+  if (!scene.water.dive || !has_water(scene)) return;
   const Sea sea = make_sea(scene, view.seconds);
   const auto tell_water_below = [&](const glm::dvec3& place) {
     const double distance = glm::length(place);
@@ -189,7 +189,7 @@ Pose pose_of(const Scene& scene, const View& view) {
   const double surface = surface_radius(scene, below);
   Pose pose = pose_over(surface, scene, view);
   let_dive(pose, scene, view);
-  if (!has_real_size || !has_water(scene) || scene.camera.dives) return pose;
+  if (!has_real_size || !has_water(scene) || scene.water.dive) return pose;
   // Eyes between crests and troughs stay over the water, but are not raised for good.
   const Sea sea = make_sea(scene, view.seconds);
   if (!sea.short_waves.empty() && pose.clearance <= sea.highest) {

@@ -119,8 +119,89 @@ Function water_light() {
   return function_of(f);
 }
 
+Function through_water() {
+  Formula f;
+  f.name = "through_water";
+  f.args = {{"light", Kind::spread, "", brightness},
+            {"up", Kind::triple, "", components},
+            {"depth", Kind::number, "radii", {0.0, 1.0}},
+            {"climb", Kind::number, "", components},
+            {"way", Kind::number, "radii", {0.0, 1000.0}},
+            {"shade", Kind::number, "", parts},
+            look_argument(),
+            scene_argument()};
+  f.outputs = {{"light", 0, 3}};
+  const auto of_scene = brightest_of_scene(23);
+  f.made_from = [of_scene](std::span<const double> numbers) {
+    return std::max(of_scene(numbers), *std::max_element(numbers.begin(), numbers.begin() + 3));
+  };
+  f.fit = [](Json& args, Random& random) {
+    place_eye(args["scene"], random);
+    // Up to the surface at the most, and mostly some light comes through.
+    args["depth"] = random.log_between(1e-6, 1.0);
+    args["way"] = number(args, "depth") * random.log_between(0.1, 10.0);
+    args["climb"] = random.between(-1.0, std::min(1.0, number(args, "depth") / number(args, "way")));
+    if (random.chance(0.2)) return;
+    for (Json& one : args["look"]["extinction"]) one = random.log_between(1e-3, 10.0) / number(args, "depth");
+  };
+  f.on_gpu = 64.0;
+  f.rarity = 4;
+  return function_of(f);
+}
+
+// From the water.
+void turn_upwards(Json& args) {
+  const glm::dvec3 normal = triple(args, "normal"), ray = triple(args, "ray");
+  if (glm::dot(normal, ray) < 0.0) args["ray"] = list(-ray);
+}
+
+Function ray_above() {
+  Formula f;
+  f.name = "ray_above";
+  f.args = {{"ray", Kind::triple, "", components},
+            {"facing", Kind::triple, "", components},
+            {"index", Kind::number, "", {1.0, 3.0}}};
+  f.outputs = {{"ray", 0, 3}};
+  f.made_from = [](std::span<const double>) { return 1.0; };
+  f.fit = [](Json& args, Random&) {
+    if (glm::dot(triple(args, "facing"), triple(args, "ray")) > 0.0) args["ray"] = list(-triple(args, "ray"));
+  };
+  return function_of(f);
+}
+
+Function water_light_below() {
+  Formula f;
+  f.name = "water_light_below";
+  f.args = {{"normal", Kind::triple, "", components},
+            {"up", Kind::triple, "", components},
+            {"ray", Kind::triple, "", components},
+            {"above", Kind::spread, "", brightness},
+            {"mirrored", Kind::spread, "", brightness},
+            {"variance", Kind::number, "", {0.0, 0.1}},
+            {"roughness", Kind::number, "", {0.02, 1.0}},
+            {"shade", Kind::number, "", parts},
+            look_argument(),
+            scene_argument()};
+  f.outputs = {{"light", 0, 3}};
+  const auto of_scene = brightest_of_scene(31);
+  f.made_from = [of_scene](std::span<const double> numbers) {
+    return std::max(of_scene(numbers), *std::max_element(numbers.begin() + 9, numbers.begin() + 15));
+  };
+  f.fit = [](Json& args, Random& random) {
+    place_eye(args["scene"], random);
+    turn_upwards(args);
+  };
+  f.rarity = 4;
+  f.on_cpu = 16.0;
+  f.on_gpu = 64.0;
+  return function_of(f);
+}
+
 }  // namespace
 
-std::vector<Function> water_functions() { return {glitter(), refracted_ray(), light_through(), water_light()}; }
+std::vector<Function> water_functions() {
+  return {glitter(),       refracted_ray(), light_through(),    water_light(),
+          through_water(), ray_above(),     water_light_below()};
+}
 
 }  // namespace terrella::probe

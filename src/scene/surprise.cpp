@@ -102,7 +102,8 @@ bool is_for_chance(const Parameter& parameter) {
   const bool is_file = parameter.type == Type::File;  // the user's own, which no preset has
   // What a metre of water does to light says something only together with the planet's size.
   const bool is_of_size = parameter.path == "planet.radius" || parameter.path == "water.medium";
-  return !is_of_view(parameter.group) && !is_of_size && !is_file;
+  const bool is_of_camera = parameter.path == "water.dive";
+  return !is_of_view(parameter.group) && !is_of_size && !is_of_camera && !is_file;
 }
 
 Scene surprise(const Scene& scene, const Locks& locked, std::uint32_t seed) {

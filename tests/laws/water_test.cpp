@@ -28,6 +28,7 @@ f64::WaterLook some_look() {
 }
 
 const glm::dvec3 zenith(0.0, 0.0, 1.0);
+const glm::dvec3 white(1.0), black(0.0);
 
 // A direction so high over the horizon, to the side of +x or of -x.
 glm::dvec3 risen(double sine, double side = 1.0) { return {side * std::sqrt(1.0 - sine * sine), 0.0, sine}; }
@@ -310,8 +311,6 @@ f64::Water level(double foam = 0.0, double depth = 0.01) {
   return w;
 }
 
-const glm::dvec3 white(1.0), black(0.0);
-
 // Where no sky lights the bottom.
 TEST(LightThrough, IsSunlightAndSkylight) {
   const f64::SceneLight scene = test::bare_scene(risen(0.5));
@@ -320,6 +319,98 @@ TEST(LightThrough, IsSunlightAndSkylight) {
   const glm::dvec3 of_bottom = f64::light_through(sand, zenith, 0.02, 0.03, at, 0.7, look, scene) -
                                f64::light_through(glm::dvec3(0.0), zenith, 0.02, 0.03, at, 0.7, look, scene);
   expect_equal(f64::sunlight_through(sand, zenith, 0.02, 0.03, at, 0.7, look, scene), of_bottom);
+}
+
+// Light of a place of water at a depth goes on to the eye, and is gathered along the way: summed up in small steps.
+TEST(ThroughWater, GathersWhatTheWaterAddsAlongTheWay) {
+  const f64::WaterLook look = some_look();
+  for (const double sun : {0.2, 0.5, 1.0}) {
+    const f64::SceneLight scene = test::bare_scene(risen(sun));
+    const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
+    const double steep = std::max(sun, 0.3);
+    const glm::dvec3 source = f64::light_of_depths(at, 0.7, look, scene) * (1.0 + 1.0 / steep);
+    for (const double climb : {-1.0, -0.3, 0.0, 0.2999999, 0.3, 0.5, 1.0}) {
+      const double depth = 0.1, way = climb > 0.0 ? depth / climb : 0.4;
+      glm::dvec3 sum(0.0);
+      constexpr int steps = 20'000;
+      for (int i = 0; i < steps; ++i) {
+        const double along = (i + 0.5) / steps * way;
+        const double there = depth - climb * along;
+        sum += source * look.extinction * f64::transmitted(look.extinction, along) *
+               f64::transmitted(look.extinction, there / steep) * (way / steps);
+      }
+      const glm::dvec3 light(0.3, 0.4, 0.5);
+      sum += light * f64::transmitted(look.extinction, way);
+      const glm::dvec3 found = f64::through_water(light, depth, climb, way, at, 0.7, look, scene);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], sum[c], 2e-5 * (1.0 + sum[c])) << sun << ' ' << climb;
+    }
+  }
+}
+
+TEST(ThroughWater, IsDeepWaterSeenFromItsSurfaceStraightDown) {
+  const f64::SceneLight scene = test::bare_scene(risen(0.8));
+  const f64::LightAt at = f64::light_at(zenith, 0.0, scene);
+  expect_equal(f64::through_water(white, 0.0, -1.0, 100.0, at, 0.7, some_look(), scene),
+               f64::light_of_depths(at, 0.7, some_look(), scene));
+}
+
+// Snell's law and Fresnel's, beyond whose angle all light is thrown back.
+TEST(SurfaceFromBelow, RefractsAndMirrorsAsItShould) {
+  const f64::WaterLook look = some_look();
+  const glm::dvec3 down = -zenith;
+  const double n = look.refraction_index;
+  for (double sine = 0.0; sine < 1.0; sine += 0.01) {
+    const glm::dvec3 ray(sine, 0.0, std::sqrt(1.0 - sine * sine));
+    const glm::dvec3 above = f64::ray_above(ray, down, look);
+    const double mirrored = f64::mirrored_from_below(0.0, down, ray, look);
+    EXPECT_NEAR(glm::length(above), 1.0, 1e-9);
+    if (n * sine >= 1.0) {
+      EXPECT_NEAR(above.z, 0.0, 1e-9);
+      if (n * sine > 1.01) {
+        EXPECT_EQ(mirrored, 1.0) << sine;
+      }
+      continue;
+    }
+    EXPECT_NEAR(above.x, n * sine, 1e-9);
+    const double in = ray.z, out = above.z;
+    const double s = (n * in - out) / (n * in + out), p = (n * out - in) / (n * out + in);
+    if (n * sine < 0.99) {
+      EXPECT_NEAR(mirrored, 0.5 * (s * s + p * p), 0.055) << sine;  // measured, at the edge: 0.052
+    }
+  }
+}
+
+// Waves that are not shown blur the edge of the window.
+TEST(SurfaceFromBelow, MirrorsPartOfTheLightAroundTheAngleOfTotalReflection) {
+  const f64::WaterLook look = some_look();
+  const double edge = 1.0 / look.refraction_index;
+  const auto mirrored = [&](double sine, double variance) {
+    return f64::mirrored_from_below(variance, -zenith, {sine, 0.0, std::sqrt(1.0 - sine * sine)}, look);
+  };
+  EXPECT_LT(mirrored(edge - 0.05, 0.0), 0.3);
+  EXPECT_GT(mirrored(edge - 0.05, 0.01), 0.35);
+  EXPECT_EQ(mirrored(edge + 0.05, 0.0), 1.0);
+  EXPECT_GT(mirrored(edge + 0.05, 0.01), 0.6);
+}
+
+// The sun's light that comes through a rough surface is spread over directions, none lost and none gained but by what
+// no facet faces.
+TEST(GlitterThrough, SpreadsTheLightThatComesIn) {
+  test::Places places(77U);
+  for (const double roughness : {0.2, 0.4}) {
+    for (const double sine : {0.4, 0.95}) {
+      const glm::dvec3 sun = risen(sine);
+      double sum = 0.0;
+      constexpr int count = 400'000;
+      for (int i = 0; i < count; ++i) {
+        glm::dvec3 to_eye = places.on_sphere();
+        to_eye.z = -std::fabs(to_eye.z);
+        sum += f64::glitter_through(zenith, sun, to_eye, 1.333, roughness) * -to_eye.z * 2.0 * std::numbers::pi / count;
+      }
+      // In directions in the water: as many as its beams are narrowed fewer.
+      EXPECT_NEAR(sum * 1.333 * 1.333 / sine, 1.0, 0.15) << roughness << ' ' << sine;
+    }
+  }
 }
 
 TEST(WaterLight, MirrorsByFresnelAndLetsThroughTheRest) {

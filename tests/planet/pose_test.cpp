@@ -10,6 +10,7 @@
 
 #include "laws/random_places.hpp"
 #include "planet/spheres.hpp"
+#include "planet/terrain.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -89,6 +90,68 @@ TEST(Pose, NeverStandsUnderGroundOrSea) {
       const Pose pose = pose_of(scene, {});
       EXPECT_GE(glm::length(pose.eye), surface_radius(scene, glm::normalize(pose.eye)) + 0.99 * least_clearance(scene));
       EXPECT_TRUE(pose.raised);
+    }
+  }
+}
+
+Scene diver(double depth) {
+  Scene scene = find_preset("lagoon")->scene;
+  scene.water.dive = true;
+  scene.camera.altitude = scene.water.level - depth;
+  return scene;
+}
+
+TEST(Pose, GoesUnderWaterWhereItMayAndDownToTheGroundAtTheMost) {
+  for (const char* name : {"lagoon", "temperate", "storm", "gale"}) {
+    Scene scene = find_preset(name)->scene;
+    const double radius = scene.planet.radius;
+    const double ground = exact_ground_radius(
+        exact_terrain_of(scene), direction_of(scene.camera.latitude, scene.camera.longitude), finest_footprint);
+    const double depth = water_radius(scene) - ground;
+    if (depth <= 0.0) continue;
+    scene.camera.altitude = scene.water.level - 0.5 * depth * radius;
+    EXPECT_TRUE(pose_of(scene, {}).raised) << name;
+    scene.water.dive = true;
+    const Pose pose = pose_of(scene, {});
+    EXPECT_FALSE(pose.raised) << name;
+    EXPECT_NEAR(glm::length(pose.eye), 1.0 + scene.camera.altitude / radius, 1e-12) << name;
+    EXPECT_LE(pose.nearest, pose.clearance) << name;
+    scene.camera.altitude = 0.0;
+    const Pose deepest = pose_of(scene, {});
+    EXPECT_TRUE(deepest.raised) << name;
+    EXPECT_NEAR(glm::length(deepest.eye), surface_radius(scene, glm::normalize(deepest.eye)) + least_clearance(scene),
+                1e-12)
+        << name;
+  }
+}
+
+TEST(LensAboveWater, IsNowhereInTheWaterWhereTheCameraMayNotDive) {
+  Scene scene = diver(2.0);
+  scene.water.dive = false;
+  const Pose pose = pose_of(scene, {});
+  EXPECT_EQ(lens_above_water(pose), pose.forward);
+  EXPECT_FALSE(is_in_water(pose, {}));
+}
+
+// As the water rises over the lens, the line on it rises from its lower edge to the upper one.
+TEST(LensAboveWater, RisesWithTheWater) {
+  const View view;
+  for (const double depth : {-20.0, -1.0, 0.0, 0.02, 0.04, 0.06, 0.08, 0.1, 1.0, 20.0}) {
+    Scene scene = diver(depth);
+    scene.waves.count = 0;
+    scene.camera.pitch = 0.0;
+    const Pose pose = pose_of(scene, view);
+    const glm::dvec3 lens = lens_above_water(pose);
+    EXPECT_NEAR(glm::length(lens), 1.0, 1e-12);
+    // The tangent at which a ray in the middle passes from water into air.
+    const double line = -glm::dot(lens, pose.forward) / std::max(glm::dot(lens, pose.up), 1e-12);
+    const double edge = pose.tan_half_fov;
+    EXPECT_EQ(is_all_in_water(pose, view), depth >= 0.06) << depth;
+    EXPECT_EQ(is_in_water(pose, view), depth >= 0.0) << depth;
+    if (is_in_water(pose, view) && !is_all_in_water(pose, view)) {
+      // Where the still surface lies on the near plane.
+      const double height = -depth / scene.planet.radius;
+      EXPECT_NEAR(line, -height / pose.near, 1e-3 * edge) << depth;
     }
   }
 }
