@@ -47,9 +47,6 @@ vec4 clip_along(vec3 ray) {
   return vec4(clip.xy, depth.x * clip.w, clip.w);
 }
 
-// Whether a ray from the eye begins in the water.
-bool begins_in_water(vec3 ray) { return dot(lens.xyz, ray) < 0.0; }
-
 // The eye in single precision: for what is not near it.
 vec3 eye_position() { return eye_high.xyz; }
 

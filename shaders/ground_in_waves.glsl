@@ -1,4 +1,5 @@
 // Ground of nodes on which waves gather light, seen from the water.
+#include "ground_from_water.glsl"
 #include "felt_ground.glsl"
 #include "wavy_bottom.glsl"
 

@@ -1,5 +1,6 @@
-// The scene's water, and how it is seen through by an eye in it.
-#include "cloud_map.glsl"
+// The scene's water.
+#include "frame_block.glsl"
+#include "scene_block.glsl"
 #include "lib/water.glsl"
 
 WaterLook water_look() {
@@ -16,12 +17,4 @@ WaterLook water_look() {
   look.crust = water_crust;
   look.shading = water_shading;
   return look;
-}
-
-// The light of something in the water as it comes to an eye there. offset: from the eye.
-vec3 to_eye_in_water(vec3 light, vec3 offset, SceneLight scene) {
-  LightAt at = light_at(normalize(eye_position()), 0.0, scene);
-  float way = length(offset);
-  float shade = shade_of_clouds(sea.x * at.up);
-  return through_water(light, lens.w, dot(offset, at.up) / way, way, at, shade, water_look(), scene);
 }

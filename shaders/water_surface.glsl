@@ -11,24 +11,24 @@ float depth_below(vec3 up);
 // What comes from under the surface. ray: unit, in the water, down.
 vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene);
 
+// The sky along a ray that the surface throws back up.
+vec3 mirrored_sky(LightAt at, vec3 ray, SceneLight scene);
+
+// Whether a ray from the eye begins in the water.
+bool begins_in_water(vec3 ray);
+
+// Light of the surface as it comes to the eye, from whichever side that sees it. ray: unit, from the eye.
+vec3 surface_to_eye(Water w, LightAt at, vec3 ray, float shade, SceneLight scene);
+
 // Its side that the eye sees. up: unit.
 vec3 side_of_eye(vec3 up) { return begins_in_water(surface_from_eye) ? -up : up; }
 
-// Light of the surface as it comes to the eye through the air. ray: unit, from the eye.
+// The same through the air.
 vec3 light_of_surface(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
   vec3 below = light_from_below(w, at, refracted_ray(ray, w.facing, water_look()), shade, scene);
-  vec3 mirrored = sky_from(at, reflect(ray, w.facing), scene);
+  vec3 mirrored = mirrored_sky(at, reflect(ray, w.facing), scene);
   vec3 light = water_light(w, at, ray, below, mirrored, shade, water_look(), scene);
   return through_air(light, at, surface_from_eye, scene);
-}
-
-// The same from under water.
-vec3 light_of_surface_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
-  w.facing = reflect(w.facing, w.normal);
-  vec3 mirrored = light_from_below(w, at, reflect(ray, w.facing), shade, scene);
-  vec3 above = sky_from(at, ray_above(ray, w.facing, water_look()), scene);
-  vec3 light = water_light_below(w, at, ray, above, mirrored, shade, water_look(), scene);
-  return to_eye_in_water(light, surface_from_eye, scene);
 }
 
 // The shore belongs to the map of the ground, which is finer than either mesh: where it says land, the water's mesh shows
@@ -39,6 +39,5 @@ void emit_water(Water w, vec3 up, float height) {
   LightAt at = light_at(up, 0.0, scene);
   vec3 ray = normalize(surface_from_eye);
   float shade = shade_of_clouds(up * sea.x);
-  vec3 light = begins_in_water(ray) ? light_of_surface_below(w, at, ray, shade, scene) : light_of_surface(w, at, ray, shade, scene);
-  emit_surface(light, surface_from_eye, w.normal, sea.x - 1.0 + height);
+  emit_surface(surface_to_eye(w, at, ray, shade, scene), surface_from_eye, w.normal, sea.x - 1.0 + height);
 }

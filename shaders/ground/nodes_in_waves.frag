@@ -1,11 +1,4 @@
-// The ground of nodes under waves, seen from the water.
-#include "ground_surface.glsl"
+// The ground of nodes where the eye is under waves.
 #include "node_no_map.glsl"
-#include "node_surface.glsl"
+#include "nodes_ground.glsl"
 #include "ground_in_waves.glsl"
-
-void main() {
-  vec3 place = surface_from_eye;
-  GroundAt ground = node_ground(place, normalize(place));
-  emit_ground(place, ground, layer_rise(ground), 0.0);
-}

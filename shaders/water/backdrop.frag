@@ -1,5 +1,5 @@
 // What water shows behind all that is in it.
-#include "water_look.glsl"
+#include "eye_in_water.glsl"
 #include "output.glsl"
 
 in vec3 view_ray;

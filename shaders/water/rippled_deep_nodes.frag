@@ -1,3 +1,4 @@
 // A calm sea with ripples, over deep nodes.
 #include "rippled_water.glsl"
 #include "deep_nodes.glsl"
+#include "water_from_air.glsl"

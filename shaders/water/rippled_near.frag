@@ -1,3 +1,4 @@
 // The same from close to a shore.
 #include "rippled_water.glsl"
 #include "shore_near.glsl"
+#include "water_from_air.glsl"

@@ -2,3 +2,4 @@
 #include "rippled_water.glsl"
 #include "node_no_map.glsl"
 #include "shore_nodes.glsl"
+#include "water_from_air.glsl"

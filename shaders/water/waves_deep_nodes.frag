@@ -2,6 +2,7 @@
 #include "deep_nodes.glsl"
 #include "wavy_nodes.glsl"
 #include "no_felt_ground.glsl"
+#include "water_from_air.glsl"
 
 // No surf.
 FoamLace foam_lace(float footprint) { return no_lace(); }

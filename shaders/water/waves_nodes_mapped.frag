@@ -2,3 +2,4 @@
 #include "node_map.glsl"
 #include "shore_nodes.glsl"
 #include "wavy_shore.glsl"
+#include "water_from_air.glsl"

@@ -31,7 +31,8 @@ void GroundIcosphere::begin(const Scene& scene, const Needs& needs) {
 
 void GroundIcosphere::want(const Needs& needs) {
   bake_program_.want(needs.ground_mapped ? "ground/bake_mapped" : "ground/bake");
-  draw_program_.want(refines_ground(needs) ? "ground/icosphere_near" : "ground/icosphere");
+  draw_program_.want(std::string(refines_ground(needs) ? "ground/icosphere_near" : "ground/icosphere") +
+                     (needs.in_water ? "_in_water" : ""));
 }
 
 void GroundIcosphere::update(const Frame& frame) {

@@ -8,9 +8,8 @@
 namespace terrella {
 
 void GroundNodes::want(const Needs& needs) {
-  const bool in_waves = needs.in_water && needs.water == Water::waves;
-  program_.want(std::string(in_waves ? "ground/nodes_in_waves" : "ground/nodes") +
-                (needs.ground_mapped ? "_mapped" : ""));
+  const char* seen_from = !needs.in_water ? "" : needs.water == Water::waves ? "_in_waves" : "_in_water";
+  program_.want(std::string(needs.ground_mapped ? "ground/nodes_mapped" : "ground/nodes") + seen_from);
 }
 
 void GroundNodes::draw(const Frame& frame) {

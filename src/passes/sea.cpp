@@ -52,17 +52,15 @@ void SeaPass::want(const Needs& needs) {
     if (over_nodes) deep_program_.emplace(waves ? "water/waves_deep_nodes" : "water/nodes");
     program_.emplace(over_nodes ? (waves ? "water/waves_nodes" : "water/nodes") : waves ? "water/waves" : "water/calm");
   }
+  const std::string name = technique_ == Water::waves ? "water/waves"
+                           : needs.ripple_layers > 0  ? "water/rippled"
+                                                      : "water/calm";
+  const char* seen_from = needs.in_water ? "_in_water" : "";
   if (over_nodes) {
-    const std::string name = technique_ == Water::waves ? "water/waves"
-                             : needs.ripple_layers > 0  ? "water/rippled"
-                                                        : "water/calm";
     deep_program_->want(name + "_deep_nodes");
-    return program_->want(name + (needs.ground_mapped ? "_nodes_mapped" : "_nodes"));
+    return program_->want(name + (needs.ground_mapped ? "_nodes_mapped" : "_nodes") + seen_from);
   }
-  const bool near = refines_ground(needs);
-  if (needs.water == Water::waves) return program_->want(near ? "water/waves_near" : "water/waves");
-  if (needs.ripple_layers > 0) return program_->want(near ? "water/rippled_near" : "water/rippled");
-  program_->want(near ? "water/calm_near" : "water/calm");
+  program_->want(name + (refines_ground(needs) ? "_near" : "") + seen_from);
 }
 
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {

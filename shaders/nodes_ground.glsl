@@ -1,8 +1,6 @@
-// The same with continents of a map.
+// The ground of nodes; node_map.glsl or node_no_map.glsl stands before it.
 #include "ground_surface.glsl"
-#include "node_map.glsl"
 #include "node_surface.glsl"
-#include "ground_in_waves.glsl"
 
 void main() {
   vec3 place = surface_from_eye;

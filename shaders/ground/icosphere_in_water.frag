@@ -1,0 +1,3 @@
+// The same where the eye is under water.
+#include "icosphere_ground.glsl"
+#include "ground_in_still_water.glsl"

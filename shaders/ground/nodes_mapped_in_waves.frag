@@ -1,0 +1,4 @@
+// The same with continents of a map.
+#include "node_map.glsl"
+#include "nodes_ground.glsl"
+#include "ground_in_waves.glsl"

@@ -1,0 +1,4 @@
+// The same where the eye is under water.
+#include "rippled_water.glsl"
+#include "shore_near.glsl"
+#include "water_from_both.glsl"

@@ -1,0 +1,5 @@
+// The same where the eye is under water.
+#include "rippled_water.glsl"
+#include "node_map.glsl"
+#include "shore_nodes.glsl"
+#include "water_from_both.glsl"
