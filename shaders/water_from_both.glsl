@@ -2,15 +2,15 @@
 #include "cloudy_sky.glsl"
 #include "eye_in_water.glsl"
 
-// Light of the surface as it comes to an eye under it.
-vec3 light_of_surface_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
-  w.facing = reflect(w.facing, w.normal);
-  vec3 mirrored = light_from_below(w, at, reflect(ray, w.facing), shade, scene);
-  vec3 above = sky_from(at, ray_above(ray, w.facing, water_look()), scene);
-  vec3 light = water_light_below(w, at, ray, above, mirrored, shade, water_look(), scene);
-  return to_eye_in_water(light, surface_from_eye, scene);
-}
-
+// What costs the most is found once, for whichever side is seen: both would be computed where there is no graphics card.
 vec3 surface_to_eye(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
-  return begins_in_water(ray) ? light_of_surface_below(w, at, ray, shade, scene) : light_of_surface(w, at, ray, shade, scene);
+  bool below = begins_in_water(ray);
+  if (below) w.facing = reflect(w.facing, w.normal);
+  vec3 mirrored = reflect(ray, w.facing);
+  vec3 in_water = below ? mirrored : refracted_ray(ray, w.facing, water_look());
+  vec3 in_air = below ? ray_above(ray, w.facing, water_look()) : mirrored;
+  vec3 from_water = light_from_below(w, at, in_water, shade, scene);
+  vec3 from_air = sky_from(at, in_air, scene);
+  if (below) return to_eye_in_water(water_light_below(w, at, ray, from_air, from_water, shade, water_look(), scene), surface_from_eye, scene);
+  return through_air(water_light(w, at, ray, from_water, from_air, shade, water_look(), scene), at, surface_from_eye, scene);
 }
