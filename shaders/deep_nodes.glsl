@@ -1,10 +1,7 @@
 // A sea over nodes whose ground lies so deep that nothing of it is seen.
-#include "cloudy_sky.glsl"
 #include "water_surface.glsl"
 
 float depth_below(vec3 up) { return 1.0; }
-
-vec3 mirrored_sky(LightAt at, vec3 ray, SceneLight scene) { return sky_from(at, ray, scene); }
 
 // Nothing holds waves back.
 float wave_part_over_ground(float depth) { return 1.0; }

@@ -1,9 +1,7 @@
 // Land on the water's mesh from so near that pixels are finer than the map of the ground.
-#include "cloudy_sky.glsl"
 #include "shore_map.glsl"
 #include "fine_layers.glsl"
-
-vec3 mirrored_sky(LightAt at, vec3 ray, SceneLight scene) { return sky_from(at, ray, scene); }
+#include "mirror_of_clouds.glsl"
 
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {
   if (depth > 0.0) return;

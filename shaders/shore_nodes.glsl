@@ -1,8 +1,8 @@
 // What lies under the water by the nodes of the ground, which the water is drawn with.
-#include "cloudy_sky.glsl"
 #include "water_bottom.glsl"
 #include "node_surface.glsl"
 #include "lib/shoaling.glsl"
+#include "mirror_of_clouds.glsl"
 
 GroundAt ground_here;
 
@@ -31,7 +31,5 @@ GroundAt ground_aside(vec3 aside, vec3 up) {
   ground.height += dot(node_slope.xyz, aside);
   return ground;
 }
-
-vec3 mirrored_sky(LightAt at, vec3 ray, SceneLight scene) { return sky_from(at, ray, scene); }
 
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {}

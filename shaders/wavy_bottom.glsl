@@ -4,8 +4,7 @@
 
 // How much of it there is more than under a still sea, as a part of that: as the waves are where the sun's refracted ray to the
 // bottom enters the water. still: a place of the still water under which the ground is known, from the eye; the shore is a plane from
-// there on; to_bottom: from it; depth: of the bottom; footprint: between samples of it,
-// rad; up: unit.
+// there on; to_bottom: from it; depth: of the bottom; footprint: between samples of it, rad; up: unit.
 float gathered_below(vec3 still, vec3 to_bottom, float depth, float footprint, vec3 up, SceneLight scene) {
   if (depth <= 0.0) return 0.0;
   vec3 down = refracted_ray(-scene.sun, up, water_look());

@@ -10,8 +10,10 @@ void main() {
   SceneLight scene = scene_light();
   vec3 up = normalize(eye_position()), ray = normalize(view_ray);
   float climb = dot(up, ray);
-  vec3 light = to_eye_in_water(vec3(0.0), far * ray, scene);
-  if (climb > 0.0) {
+  vec3 light;
+  if (climb <= 0.0) {
+    light = to_eye_in_water(vec3(0.0), far * ray, scene);
+  } else {
     // As far as to the surface, which throws back what comes from below.
     LightAt at = light_at(up, 0.0, scene);
     float shade = shade_of_clouds(sea.x * up);

@@ -3,6 +3,7 @@
 #include "wavy_nodes.glsl"
 #include "no_felt_ground.glsl"
 #include "water_from_air.glsl"
+#include "mirror_of_sky.glsl"
 
 // No surf.
 FoamLace foam_lace(float footprint) { return no_lace(); }

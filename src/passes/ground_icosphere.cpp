@@ -150,13 +150,15 @@ void GroundIcosphere::draw(const Frame& frame) {
   const double lowest = std::min_element(surface.ranges.begin(), surface.ranges.end(), lower)->lowest;
   // Seen from above, water hides what lies under it, troughs included: where they are deep, the ground is deeper
   // (whole_wave_depth).
-  const double shown = glm::length(frame.pose.eye) > water.highest ? lowest_still_water(frame) : 0.0;
+  const bool from_above = glm::length(frame.pose.eye) > water.highest && !frame.needs.in_water;
+  const double shown = from_above ? lowest_still_water(frame) : 0.0;
   std::vector<float> tops;
   tops.reserve(group_count);
   for (const RadiusRange& range : surface.ranges) {
     tops.push_back(range.highest < shown ? 0.0F : static_cast<float>(range.highest));
   }
-  surface.mesh.draw(frame, visible_groups(sight_of(frame), std::max(lowest, water.lowest), tops), shown);
+  surface.mesh.draw(frame, visible_groups(sight_of(frame), from_above ? std::max(lowest, water.lowest) : lowest, tops),
+                    shown);
 }
 
 }  // namespace terrella

@@ -273,7 +273,7 @@ void decide_water(Needs& needs, const Scene& scene, const View& view, const Pose
   }
   decide_dive(needs, scene, view, pose, decide);
   needs.hides_waves = nodes && needs.water == Water::calm && !sea.is_calm();
-  const double allowed = scene.quality.pixel_error * pixel_of_height(pose);
+  const double allowed = scene.quality.pixel_error * pixel_of_water_height(pose);
   needs.water_level = needs.water == Water::waves ? finest_relief_level(scene) : sphere_level(allowed);
   decide.add("water.level", needs.water_level,
              nodes ? "of no use over a ground of nodes, whose vertices the sea takes"

@@ -173,6 +173,12 @@ void let_dive(Pose& pose, const Scene& scene, const View& view) {
     pose.water_normal = water.normal;
   };
   tell_water_below(pose.eye);
+  // Eyes so high that no lens reaches down to the water are not in it, however far away their near plane is.
+  if (pose.over_water > 4.0 * least_clearance(scene) + 2.0 * sea.highest) {
+    pose.over_water = std::numeric_limits<double>::infinity();
+    pose.nearest = std::min(pose.clearance, glm::length(pose.eye) - water_radius(scene) - sea.highest);
+    return set_depth_range(pose, view, scene);
+  }
   // A lens has its width.
   const double least = std::min(least_clearance(scene), pose.clearance);
   pose.nearest = std::clamp(std::abs(pose.over_water), least, pose.clearance);
@@ -221,7 +227,7 @@ namespace {
 
 // How far the corners of the lens are from its middle, and a little more.
 double lens_reach(const Pose& pose, const View& view) {
-  return 1.1 * pose.near * std::tan(std::min(picture_half_angle(pose, view), 1.5));
+  return 1.1 * pose.near * std::tan(std::min(picture_half_angle(pose, view), 1.56));
 }
 
 }  // namespace
@@ -292,11 +298,18 @@ double outermost_radius(const Scene& scene) {
   return std::max({top_radius(scene), scene.air.model != 0 ? air_radius(scene) : 1.0, rings_radius(scene)});
 }
 
-double pixel_of_height(const Pose& pose) {
-  const double surface = glm::length(pose.eye) - pose.clearance;
-  const double d = 1.0 + pose.clearance / surface;
+namespace {
+
+double pixel_over(double distance, const Pose& pose) {
+  const double surface = glm::length(pose.eye) - distance;
+  const double d = 1.0 + distance / surface;
   return pose.pixel_angle * surface * (d - 1.0) * (d + 1.0) / d;
 }
+
+}  // namespace
+
+double pixel_of_height(const Pose& pose) { return pixel_over(pose.clearance, pose); }
+double pixel_of_water_height(const Pose& pose) { return pixel_over(pose.nearest, pose); }
 
 DepthScheme depth_scheme(const Pose& pose, bool from_zero) {
   if (from_zero) return {0.0, 1.0, 0.0, 0.0};

@@ -108,6 +108,8 @@ double outermost_radius(const Scene& scene);
 // seen is moved by more than a pixel. Seen from d radii from the centre of a sphere, a radial change shows most at an
 // angle whose cosine is 2 d / (1 + d^2), as its length times d / (d^2 - 1).
 double pixel_of_height(const Pose& pose);
+// The same of the surface of the water, which may pass over the eye.
+double pixel_of_water_height(const Pose& pose);
 
 // How distances along the middle of the picture become depths, which fall with them: clip z is scale * w + offset *
 // near.

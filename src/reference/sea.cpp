@@ -288,7 +288,7 @@ bool Sea::stays_above(const Directions& directions, double radius) const {
 
 std::optional<double> Sea::hit_from_below(const Ray& ray, double before, const Resolution& resolution) const {
   const std::optional<Span> shell = within_sphere(ray, radius_ + sea_.highest);
-  if (!shell) return std::nullopt;
+  if (!shell || shell->to <= 0.0) return std::nullopt;
   const double end = std::min(shell->to, before);
   if (!has_waves()) return end == shell->to ? std::optional(end) : std::nullopt;
   return first_hit<Side::below>(*this, ray, {0.0, end}, resolution);

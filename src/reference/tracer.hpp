@@ -75,7 +75,7 @@ class Tracer {
   // Sunlight that waves gather on the bottom, as a multiple of what it has under a still sea.
   [[nodiscard]] double gathered_on(const SeenGround& bottom) const;
   [[nodiscard]] glm::dvec3 light_of_water_below(const Ray& ray, const SeenWater& water, const f64::LightAt& at) const;
-  // As it is seen from within the water. distance: of the surface along the ray.
+  // As it is seen from within the water.
   [[nodiscard]] glm::dvec3 light_in_water(const Ray& ray, const std::optional<Surface>& surface) const;
   [[nodiscard]] glm::dvec3 light_of_sky(const Ray& ray) const;
   [[nodiscard]] glm::dvec3 before_veils(const Ray& ray, double distance, glm::dvec3 light) const;

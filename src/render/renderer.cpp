@@ -121,8 +121,7 @@ void Renderer::choose_techniques(Effort effort) {
   const bool may_fade = has_real_size && needs_.ground == Ground::persistent_grid;
   if (!may_fade) fade_.reset();
   if (may_fade && !fade_) fade_.emplace();
-  if (!needs_.in_water) backdrop_.reset();
-  if (needs_.in_water && !backdrop_) backdrop_.emplace();
+  if (needs_.in_water && !backdrop_) backdrop_.emplace();  // and kept: waves may pass over the lens again and again
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
   if (clouds_) clouds_->want(needs_);
@@ -186,11 +185,12 @@ void Renderer::draw_light(const Frame& frame) {
   draw_opaque();
   if (water_) water_->set_waves(frame);
   const bool in_color = frame.channel == Channel::color;
-  if (backdrop_ && in_color) backdrop_->draw(frame);
+  const bool has_backdrop = needs_.in_water && in_color;
+  if (has_backdrop) backdrop_->draw(frame);
   // The ground first: it costs little where water hides it, and hides the water behind it.
   if (ground_) ground_->draw(frame);
   if (water_) water_->draw(frame, ground_.get());
-  if (backdrop_ && in_color) backdrop_->close();
+  if (has_backdrop) backdrop_->close();
   if (in_color) {
     draw_veils();
     if (stars_) stars_->draw(frame);

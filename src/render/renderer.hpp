@@ -121,7 +121,7 @@ class Renderer {
   Slot<NightSide, NightLights> night_;
   Slot<SunImage, SunDisc> sun_;
   Slot<Rings, RingsPlane> rings_;
-  std::optional<WaterBackdrop> backdrop_;  // where the eye is under water
+  std::optional<WaterBackdrop> backdrop_;  // from when the eye has been under water
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;
   std::optional<LightFade> fade_;  // where a ground may give way to the next

@@ -102,6 +102,7 @@ Scene diver(double depth) {
 }
 
 TEST(Pose, GoesUnderWaterWhereItMayAndDownToTheGroundAtTheMost) {
+  int places = 0;
   for (const char* name : {"lagoon", "temperate", "storm", "gale"}) {
     Scene scene = find_preset(name)->scene;
     const double radius = scene.planet.radius;
@@ -109,19 +110,35 @@ TEST(Pose, GoesUnderWaterWhereItMayAndDownToTheGroundAtTheMost) {
         exact_terrain_of(scene), direction_of(scene.camera.latitude, scene.camera.longitude), finest_footprint);
     const double depth = water_radius(scene) - ground;
     if (depth <= 0.0) continue;
+    ++places;
     scene.camera.altitude = scene.water.level - 0.5 * depth * radius;
     EXPECT_TRUE(pose_of(scene, {}).raised) << name;
     scene.water.dive = true;
     const Pose pose = pose_of(scene, {});
     EXPECT_FALSE(pose.raised) << name;
     EXPECT_NEAR(glm::length(pose.eye), 1.0 + scene.camera.altitude / radius, 1e-12) << name;
-    EXPECT_LE(pose.nearest, pose.clearance) << name;
     scene.camera.altitude = 0.0;
     const Pose deepest = pose_of(scene, {});
     EXPECT_TRUE(deepest.raised) << name;
     EXPECT_NEAR(glm::length(deepest.eye), surface_radius(scene, glm::normalize(deepest.eye)) + least_clearance(scene),
                 1e-12)
         << name;
+  }
+  EXPECT_GE(places, 2);
+}
+
+// However far away the near plane is, and wherever the camera looks.
+TEST(LensAboveWater, IsNotUnderWaterFromAfar) {
+  for (const char* name : {"temperate", "storm", "lagoon"}) {
+    Scene scene = find_preset(name)->scene;
+    scene.water.dive = true;
+    for (double altitude = 0.3; altitude < 1e3; altitude *= 2.0) {
+      for (double pitch = -90.0; pitch <= 90.0; pitch += 5.0) {
+        scene.camera.altitude = altitude * scene.planet.radius;
+        scene.camera.pitch = pitch;
+        EXPECT_FALSE(is_in_water(pose_of(scene, {}), {})) << name << ' ' << altitude << ' ' << pitch;
+      }
+    }
   }
 }
 
