@@ -94,15 +94,17 @@ Function light_through() {
   return function_of(f);
 }
 
-Function water_light() {
+// What the surface sends to a side. through: the name of what is seen through it; third: of what only this side asks
+// for.
+Formula light_of_surface(const char* name, const char* through, const Arg& third) {
   Formula f;
-  f.name = "water_light";
+  f.name = name;
   f.args = {{"normal", Kind::triple, "", components},
             {"up", Kind::triple, "", components},
             {"ray", Kind::triple, "", components},
-            {"below", Kind::spread, "", brightness},
+            {through, Kind::spread, "", brightness},
             {"mirrored", Kind::spread, "", brightness},
-            {"foam", Kind::number, "", parts},
+            third,
             {"roughness", Kind::number, "", {0.02, 1.0}},
             {"shade", Kind::number, "", parts},
             look_argument(),
@@ -112,10 +114,15 @@ Function water_light() {
   f.made_from = [of_scene](std::span<const double> numbers) {
     return std::max(of_scene(numbers), *std::max_element(numbers.begin() + 9, numbers.begin() + 15));
   };
-  f.fit = fit_water;
   f.rarity = 4;
   f.on_cpu = 16.0;
   f.on_gpu = 64.0;
+  return f;
+}
+
+Function water_light() {
+  Formula f = light_of_surface("water_light", "below", {"foam", Kind::number, "", parts});
+  f.fit = fit_water;
   return function_of(f);
 }
 
@@ -170,30 +177,11 @@ Function ray_above() {
 }
 
 Function water_light_below() {
-  Formula f;
-  f.name = "water_light_below";
-  f.args = {{"normal", Kind::triple, "", components},
-            {"up", Kind::triple, "", components},
-            {"ray", Kind::triple, "", components},
-            {"above", Kind::spread, "", brightness},
-            {"mirrored", Kind::spread, "", brightness},
-            {"variance", Kind::number, "", {0.0, 0.1}},
-            {"roughness", Kind::number, "", {0.02, 1.0}},
-            {"shade", Kind::number, "", parts},
-            look_argument(),
-            scene_argument()};
-  f.outputs = {{"light", 0, 3}};
-  const auto of_scene = brightest_of_scene(31);
-  f.made_from = [of_scene](std::span<const double> numbers) {
-    return std::max(of_scene(numbers), *std::max_element(numbers.begin() + 9, numbers.begin() + 15));
-  };
+  Formula f = light_of_surface("water_light_below", "above", {"variance", Kind::number, "", {0.0, 0.1}});
   f.fit = [](Json& args, Random& random) {
     place_eye(args["scene"], random);
     turn_upwards(args);
   };
-  f.rarity = 4;
-  f.on_cpu = 16.0;
-  f.on_gpu = 64.0;
   return function_of(f);
 }
 
