@@ -55,7 +55,7 @@ class Sum {
 // As many as are kept could be drawn, each as ground and as sea: by one call for each list of triangles, and of deep
 // sea with waves for each level of detail.
 void add_nodes(Sum& sum, const Needs& needs) {
-  sum.program("ground/nodes");
+  for (const char* name : {"ground/nodes", "ground/nodes_in_water", "ground/nodes_in_waves"}) sum.program(name);
   const NodePatch patch = patch_of(needs.ground, needs.ground_cells);
   const std::int64_t vertices = std::ssize(patch.vertices), rim = std::ssize(patch.rim), lists = patch.lists();
   const std::int64_t triangles = std::ssize(patch.triangles) / 3 + 2 * rim;
@@ -75,8 +75,10 @@ void add_nodes(Sum& sum, const Needs& needs) {
 void add_ground(Sum& sum, const Needs& needs) {
   if (has_nodes(needs.ground)) return add_nodes(sum, needs);
   sum.program("ground/bake");
-  sum.program("ground/icosphere");
-  sum.program("ground/icosphere_near");
+  for (const char* name : {"ground/icosphere", "ground/icosphere_near"}) {
+    sum.program(name);
+    sum.program(text_of(name, "_in_water"));
+  }
   sum.draw(triangles_of(needs.ground_level));
   sum.mesh(needs.ground_level);
   sum.mesh(coarse_level);
@@ -85,18 +87,19 @@ void add_ground(Sum& sum, const Needs& needs) {
 }
 
 void add_water(Sum& sum, const Needs& needs) {
+  sum.program("water/backdrop");
+  if (needs.in_water) sum.draw(2, 2);
   if (has_nodes(needs.ground)) {
     for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
-      sum.program(text_of(name, "_nodes"));
-      sum.program(text_of(name, "_deep_nodes"));
+      for (const char* seen : {"_nodes", "_nodes_in_water", "_deep_nodes", "_deep_nodes_cloudy"})
+        sum.program(text_of(name, seen));
     }
     constexpr std::int64_t wave_list = 16'384;  // two of the short waves, one of a hundred long ones
     if (needs.water == Water::waves) sum.bytes(2 * wave_list + 3'200);
     return;
   }
   for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
-    sum.program(name);
-    sum.program(text_of(name, "_near"));
+    for (const char* seen : {"", "_near", "_in_water", "_near_in_water"}) sum.program(text_of(name, seen));
   }
   sum.draw(triangles_of(needs.water_level));
 }

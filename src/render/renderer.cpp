@@ -121,7 +121,9 @@ void Renderer::choose_techniques(Effort effort) {
   const bool may_fade = has_real_size && needs_.ground == Ground::persistent_grid;
   if (!may_fade) fade_.reset();
   if (may_fade && !fade_) fade_.emplace();
-  if (needs_.in_water && !backdrop_) backdrop_.emplace();  // and kept: waves may pass over the lens again and again
+  // Kept as long as there is water: waves may pass over the lens again and again.
+  if (needs_.water == Water::none) backdrop_.reset();
+  if (needs_.in_water && !backdrop_) backdrop_.emplace();
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
   if (clouds_) clouds_->want(needs_);
