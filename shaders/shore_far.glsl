@@ -1,6 +1,4 @@
 // Land on the water's mesh where the map of the ground is as fine as pixels.
 #include "shore_map.glsl"
-// From so far clouds lie before what is mirrored of them.
-#include "mirror_of_sky.glsl"
 
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {}

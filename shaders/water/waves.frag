@@ -2,3 +2,4 @@
 #include "wavy_water.glsl"
 #include "shore_far.glsl"
 #include "water_from_air.glsl"
+#include "mirror_of_sky.glsl"

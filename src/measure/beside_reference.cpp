@@ -19,7 +19,7 @@ glm::dvec2 even_place(int i) {
 // What is left out are layers that no pixel of the picture can show, as the renderer leaves them out: single samples
 // would show them as noise.
 reference::Footprints of_pixels(const Pose& pose) {
-  const double pixel = pose.pixel_angle * pose.clearance;
+  const double pixel = pose.pixel_angle * pose.nearest;
   return {pixel, pixel, pixel};
 }
 

@@ -77,7 +77,9 @@ Findings examine(Renderer& renderer, const Case& entry, bool beside) {
   const std::vector<float> light = draw(renderer, entry, Channel::color);
   found.nonfinite = nonfinite_pixels(light);
   const std::vector<float> distance = draw(renderer, entry, Channel::distance);
-  found.holes = find_holes(distance, renderer.pose(), entry.view, solid_radius(renderer.needs()));
+  // In water what lies too far to be seen is not drawn.
+  if (!renderer.needs().in_water)
+    found.holes = find_holes(distance, renderer.pose(), entry.view, solid_radius(renderer.needs()));
   found.lying = lying_normals(draw(renderer, entry, Channel::normal));
   const std::vector<float> again = draw(renderer, entry, Channel::color);
   found.repeats = found.nonfinite > 0 || again == light;

@@ -62,7 +62,7 @@ const reference::Geometry& Truth::geometry(int width, int height) {
   view.width = width;
   view.height = height;
   const Pose pose = pose_of(scene_, view);
-  const double pixel = pose.pixel_angle * pose.clearance;
+  const double pixel = pose.pixel_angle * pose.nearest;
   reference::Options how;
   how.width = width;
   how.height = height;

@@ -14,7 +14,7 @@
 namespace terrella::reference {
 
 // Depth of a sea without a ground, radii: of which nothing is seen but the water.
-inline constexpr double bottomless = 1.0;
+inline constexpr double bottomless = 1e3;
 
 // Where the water of a place has gone.
 struct WaterAt {

@@ -9,6 +9,7 @@
 #include "measure/examine.hpp"
 #include "measure/extent.hpp"
 #include "measure/studio.hpp"
+#include "scene/link.hpp"
 #include "scene/parameters.hpp"
 
 namespace terrella {
@@ -30,7 +31,8 @@ TEST_P(Extremes, AreDrawnFiniteWholeAndWithinTheirCost) {
     const Findings found = examine(studio.renderer, entry, compared_with_reference(number));
     ++drawn;
     compared += found.reference ? 1 : 0;
-    EXPECT_TRUE(found.clean()) << entry.group << ", " << entry.name << ": " << found.text();
+    EXPECT_TRUE(found.clean()) << entry.group << ", " << entry.name << ": " << found.text() << '\n'
+                               << to_link({entry.scene});
     looked_at += found.holes.looked_at;
   }
   EXPECT_GT(looked_at, 10'000);  // that no hole was found says something
