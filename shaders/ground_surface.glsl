@@ -7,6 +7,11 @@ in vec3 surface_from_eye;
 // The ground's light as it comes to the eye. depth: of the ground under the still water, radii; offset: of the place from the eye.
 vec3 ground_to_eye(vec3 albedo, vec3 normal, float depth, vec3 offset, LightAt at, float shade, SceneLight scene);
 
+// Light of the ground through the air. Just under water it has come through some of that; further down the water hides the ground.
+vec3 ground_through_air(vec3 light, float depth, vec3 offset, LightAt at, SceneLight scene) {
+  return through_air(light * transmitted(water_extinction.rgb, 2.0 * depth), at, offset, scene);
+}
+
 vec3 surface_position() { return eye_position() + surface_from_eye; }
 
 // offset: of the place from the eye; ground: there, its gradient as fine as the pixels; rise: as mean_normal takes it; grain: of its colour, about -1..1.

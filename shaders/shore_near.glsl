@@ -1,7 +1,6 @@
 // Land on the water's mesh from so near that pixels are finer than the map of the ground.
 #include "shore_map.glsl"
 #include "fine_layers.glsl"
-#include "mirror_of_clouds.glsl"
 
 void refine_land(inout GroundAt land, inout float grain, vec3 up, float depth) {
   if (depth > 0.0) return;

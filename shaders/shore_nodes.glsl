@@ -2,7 +2,6 @@
 #include "water_bottom.glsl"
 #include "node_surface.glsl"
 #include "lib/shoaling.glsl"
-#include "mirror_of_clouds.glsl"
 
 GroundAt ground_here;
 

@@ -11,9 +11,6 @@ float depth_below(vec3 up);
 // What comes from under the surface. ray: unit, in the water, down.
 vec3 light_from_below(Water w, LightAt at, vec3 ray, float shade, SceneLight scene);
 
-// The sky along a ray that the surface throws back up.
-vec3 mirrored_sky(LightAt at, vec3 ray, SceneLight scene);
-
 // Whether a ray from the eye begins in the water.
 bool begins_in_water(vec3 ray);
 
@@ -22,14 +19,6 @@ vec3 surface_to_eye(Water w, LightAt at, vec3 ray, float shade, SceneLight scene
 
 // Its side that the eye sees. up: unit.
 vec3 side_of_eye(vec3 up) { return begins_in_water(surface_from_eye) ? -up : up; }
-
-// The same through the air.
-vec3 light_of_surface(Water w, LightAt at, vec3 ray, float shade, SceneLight scene) {
-  vec3 below = light_from_below(w, at, refracted_ray(ray, w.facing, water_look()), shade, scene);
-  vec3 mirrored = mirrored_sky(at, reflect(ray, w.facing), scene);
-  vec3 light = water_light(w, at, ray, below, mirrored, shade, water_look(), scene);
-  return through_air(light, at, surface_from_eye, scene);
-}
 
 // The shore belongs to the map of the ground, which is finer than either mesh: where it says land, the water's mesh shows
 // land. There nothing is refracted and nothing mirrored, which costs less than a second way of shading would. up: unit, of

@@ -52,6 +52,13 @@ float crust_cover(float noise, float crust) {
   return crust <= 0.0 ? 0.0 : crust >= 1.0 ? 1.0 : smoothstep(torn, torn + 0.5 * crust * torn, abs(noise));
 }
 
+// How many of the normals of a rough surface lie around a direction: the GGX lobe (Walter et al. 2007). cosine: of the direction and the
+// mean normal, 0..1; a2: fourth power of the roughness.
+float ggx_lobe(float cosine, float a2) {
+  float d = (cosine * a2 - cosine) * cosine + 1.0;
+  return a2 / (3.141592653589793 * d * d);
+}
+
 // Glitter of a light on a rough surface: the GGX lobe (Walter et al. 2007) with the visibility of Hammon 2017, without
 // its Fresnel factor. All cosines held to 0..1; roughness 0.02..1. Includes the cosine of the light.
 float glitter(float normal_half, float normal_view, float normal_light, float roughness) {
@@ -60,9 +67,8 @@ float glitter(float normal_half, float normal_view, float normal_light, float ro
   float nh = clamp(normal_half, 0.0, 1.0);
   float nv = max(normal_view, 1.0e-3);
   float nl = max(normal_light, 0.0);
-  float d = (nh * a2 - nh) * nh + 1.0;
   float visibility = 0.5 / mix(2.0 * nl * nv, nl + nv, a);
-  return nl > 0.0 ? a2 / (3.141592653589793 * d * d) * visibility * nl : 0.0;
+  return nl > 0.0 ? ggx_lobe(nh, a2) * visibility * nl : 0.0;
 }
 
 // The same seen through the surface, from where it is refracted to (Walter et al. 2007, equation 21, without its Fresnel factor,
@@ -75,10 +81,9 @@ float glitter_through(vec3 normal, vec3 light, vec3 to_eye, float index, float r
   float a2 = a * a;
   float nh = clamp(dot(normal, between), 0.0, 1.0);
   float lh = dot(light, between), eh = dot(to_eye, between);
-  float d = (nh * a2 - nh) * nh + 1.0;
   float narrowed = lh + index * eh;
   float seen = lh > 0.0 && eh < 0.0 ? lh * -eh / max(narrowed * narrowed, 1.0e-6) : 0.0;
-  return a2 / (3.141592653589793 * d * d) * seen / max(-dot(normal, to_eye), 0.05);
+  return ggx_lobe(nh, a2) * seen / max(-dot(normal, to_eye), 0.05);
 }
 
 // Phong's highlight, normalised so that a sharper one is brighter. exponent 1..1000.

@@ -199,26 +199,45 @@ vec3 through_water(vec3 light, float depth, float climb, float way, LightAt at, 
   return light * transmitted(look.extinction, way) + source * gathered;
 }
 
-// What of the light that meets the surface from below is thrown back, all of it beyond the angle of total reflection. facing: as of
-// Water, but on the eye's side; ray: unit, from the eye.
-float mirrored_from_below(float variance, vec3 facing, vec3 ray, WaterLook look) {
-  float n = look.refraction_index;
-  float cosine = max(-dot(ray, facing), 0.0);
-  float outside = 1.0 - n * n * (1.0 - cosine * cosine);
-  float through = sqrt(max(outside, 0.0));
-  float whole = 1.0 - part_below((cosine - sqrt(max(1.0 - 1.0 / (n * n), 0.0))) * inversesqrt(variance + 1.0e-6));
-  float r0 = reflectance_at_normal(1.0, n);
-  return mix(schlick(through, r0), 1.0, whole);
+// Light that foam gets, times its colour. shade: part of the sunlight left by the clouds.
+vec3 light_on_foam(Water w, LightAt at, float shade, WaterLook look, SceneLight scene) {
+  return look.foam_color * (at.sun * shade * wrap_diffuse(dot(w.normal, scene.sun), 0.1) + skylight(at, w.normal, scene));
 }
 
-// Where a ray goes on above the water, along the surface where it would not. facing: on the eye's side.
-vec3 ray_above(vec3 ray, vec3 facing, WaterLook look) {
+// How bright water glows by itself through its foam.
+float glow_through_foam(Water w, WaterLook look) {
+  return look.glow * (1.0 - 0.95 * w.foam);
+}
+
+// How a ray in the water meets its surface.
+struct FromBelow {
+  float cosine;   // of ray and normal
+  float outside;  // square of that of the ray above; below 0: all of it is thrown back
+};
+
+// facing: as of Water, but on the eye's side; ray: unit, from the eye.
+FromBelow meets_from_below(vec3 ray, vec3 facing, float refraction_index) {
+  FromBelow f;
+  f.cosine = max(-dot(ray, facing), 0.0);
+  f.outside = 1.0 - refraction_index * refraction_index * (1.0 - f.cosine * f.cosine);
+  return f;
+}
+
+// What of the light that meets the surface from below is thrown back, all of it beyond the angle of total reflection. facing, ray: as
+// for meets_from_below.
+float mirrored_from_below(float variance, vec3 facing, vec3 ray, WaterLook look) {
   float n = look.refraction_index;
-  float cosine = max(-dot(ray, facing), 0.0);
-  vec3 along = ray + cosine * facing;
-  float outside = 1.0 - n * n * (1.0 - cosine * cosine);
-  float held = outside > 0.0 ? n : inversesqrt(max(dot(along, along), 1.0e-12));
-  return held * along - sqrt(max(outside, 0.0)) * facing;
+  FromBelow f = meets_from_below(ray, facing, n);
+  float whole = 1.0 - part_below((f.cosine - sqrt(max(1.0 - 1.0 / (n * n), 0.0))) * inversesqrt(variance + 1.0e-6));
+  return mix(schlick(sqrt(max(f.outside, 0.0)), reflectance_at_normal(1.0, n)), 1.0, whole);
+}
+
+// Where a ray goes on above the water, along the surface where it would not. facing, ray: as for meets_from_below.
+vec3 ray_above(vec3 ray, vec3 facing, WaterLook look) {
+  FromBelow f = meets_from_below(ray, facing, look.refraction_index);
+  vec3 along = ray + f.cosine * facing;
+  float held = f.outside > 0.0 ? look.refraction_index : inversesqrt(max(dot(along, along), 1.0e-12));
+  return held * along - sqrt(max(f.outside, 0.0)) * facing;
 }
 
 // Light that the surface sends down to an eye in the water, before the water between. w: as for water_light, its facing on the eye's
@@ -229,8 +248,8 @@ vec3 water_light_below(Water w, LightAt at, vec3 ray, vec3 above, vec3 mirrored,
   float gleam = glitter_through(w.normal, scene.sun, -ray, look.refraction_index, w.roughness);
   vec3 light = mix(above + sunlight * min(gleam, 40.0), mirrored, thrown);
   // Foam lets half of the light through that it throws back above.
-  vec3 foam = look.foam_color * (sunlight * wrap_diffuse(dot(w.normal, scene.sun), 0.1) + skylight(at, w.normal, scene)) * 0.28;
-  return mix(light, foam, w.foam) + look.color * (look.glow * (1.0 - 0.95 * w.foam));
+  vec3 foam = light_on_foam(w, at, shade, look, scene) * 0.28;
+  return mix(light, foam, w.foam) + look.color * glow_through_foam(w, look);
 }
 
 // Light that the surface sends to the eye, before the air. ray: unit, from the eye; below: what comes from under it;
@@ -251,7 +270,7 @@ vec3 water_light(Water w, LightAt at, vec3 ray, vec3 below, vec3 mirrored, float
   } else {
     light += sunlight * (wet * phong(dot(reflect(ray, w.normal), scene.sun), look.shininess) * 0.08);
   }
-  vec3 foam = look.foam_color * (sunlight * wrap_diffuse(dot(w.normal, scene.sun), 0.1) + skylight(at, w.normal, scene)) * 0.55;
+  vec3 foam = light_on_foam(w, at, shade, look, scene) * 0.55;
   light = mix(light, foam, wet * w.foam);
-  return light + look.color * (wet * look.glow * (1.0 - 0.95 * w.foam));
+  return light + look.color * (wet * glow_through_foam(w, look));
 }

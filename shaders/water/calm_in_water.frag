@@ -2,4 +2,3 @@
 #include "smooth_water.glsl"
 #include "shore_far.glsl"
 #include "water_from_both.glsl"
-#include "mirror_of_clouds.glsl"

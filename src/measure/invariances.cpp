@@ -19,8 +19,9 @@ Invariance scaled_by(Renderer& renderer, const char* preset, double factor, doub
   Scene scene = cheap(preset);
   // A wind's waves, and the way of light in waters of nature, are as long on any planet.
   scene.waves.spectrum = choice("waves.spectrum", "free");
-  if (std::exchange(scene.water.medium, choice("water.medium", "tinted")) != choice("water.medium", "tinted"))
-    scene.water.clarity *= scene.planet.radius;
+  const int tinted = choice("water.medium", "tinted");
+  if (scene.water.medium != tinted) scene.water.clarity *= scene.planet.radius;
+  scene.water.medium = tinted;
   const std::vector<float> as_it_is = light_of(renderer, scene, small_view());
   const std::vector<float> scaled_up = light_of(renderer, scaled(scene, factor), small_view());
   return {text_of(preset, ", all lengths times ", factor), "largest difference of light",

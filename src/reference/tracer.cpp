@@ -39,6 +39,8 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
       light_(light_of(scene, pose_)),
       bands_(bands_of(scene)),
       look_(water_look_of(scene)),
+      lens_(lens_above_water(pose_)),
+      in_water_(is_in_water(pose_, view)),
       wet_height_(wet_height(scene, make_sea(scene, view.seconds))),
       rings_(rings_of(scene)),
       small_lights_(scene, view, pose_, light_),
@@ -54,13 +56,11 @@ Tracer::Tracer(const Scene& scene, const View& view, const Footprints& left_out)
 
 Ray Tracer::ray_of(const glm::dvec2& pixel) const {
   const glm::dvec3 ray = ray_through(pose_, view_, pixel);
-  if (!is_in_water(pose_, view_)) return {pose_.eye, ray};
+  if (!in_water_) return {pose_.eye, ray};
   return {pose_.eye + pose_.near / glm::dot(ray, pose_.forward) * ray, ray};
 }
 
-bool Tracer::begins_in_water(const Ray& ray) const {
-  return sea_ && glm::dot(lens_above_water(pose_), ray.direction) < 0.0;
-}
+bool Tracer::begins_in_water(const Ray& ray) const { return sea_ && glm::dot(lens_, ray.direction) < 0.0; }
 
 Resolution Tracer::resolution_from(const glm::dvec3& place) const {
   return {piece_, piece_ * glm::distance(place, pose_.eye)};

@@ -88,6 +88,8 @@ class Tracer {
   f64::SceneLight light_;
   f64::Bands bands_;
   f64::WaterLook look_;
+  glm::dvec3 lens_;  // lens_above_water
+  bool in_water_;    // the lens, or a part of it
   double wet_height_;
   f64::Rings rings_;
   std::optional<Ground> ground_;

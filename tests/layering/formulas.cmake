@@ -16,7 +16,7 @@ set(allowed
   "frame_block.glsl log2"                                        # depths
   "node_vertex.glsl sqrt"                                        # distances of vertices
   "node_surface.glsl sqrt"                                       # which layers pixels add to the vertices'
-  "ground/icosphere_near.frag sqrt"                              # how much of it a pixel covers
+  "icosphere_near_ground.glsl sqrt"                              # how much of it a pixel covers
   "rings/plane.vert mix sin cos")                                # corners of an annulus
 
 set(faults "")
