@@ -99,7 +99,7 @@ void add_water(Sum& sum, const Needs& needs) {
     return;
   }
   for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
-    for (const char* seen : {"", "_cloudy", "_near", "_in_water", "_near_in_water"}) sum.program(text_of(name, seen));
+    for (const char* seen : {"", "_near", "_in_water", "_near_in_water"}) sum.program(text_of(name, seen));
   }
   sum.draw(triangles_of(needs.water_level));
 }

@@ -60,9 +60,7 @@ void SeaPass::want(const Needs& needs) {
     deep_program_->want(name + (needs.clouds == Clouds::none ? "_deep_nodes" : "_deep_nodes_cloudy"));
     return program_->want(name + (needs.ground_mapped ? "_nodes_mapped" : "_nodes") + seen_from);
   }
-  // Over a ground whose map is fine enough, clouds lie before what is mirrored of them.
-  const bool cloudy = needs.ground == Ground::none && needs.clouds != Clouds::none && !needs.in_water;
-  program_->want(name + (refines_ground(needs) ? "_near" : cloudy ? "_cloudy" : "") + seen_from);
+  program_->want(name + (refines_ground(needs) ? "_near" : "") + seen_from);
 }
 
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {
