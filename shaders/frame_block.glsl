@@ -17,11 +17,13 @@ layout(std140) uniform FrameBlock {
   vec4 water_extinction;   // xyz: of light in water, per radius; w: height over the still water that waves keep wet, radii; 0: none
   vec4 water_depths;       // xyz: colour of deep water; w: length after which light takes its tint, radii
   vec4 levels;             // x: sine of the latitude from which snow lies at the water's edge, above 1: nowhere; y: lift of the water's mesh, radii, or of nodes parts of the distance; z: level of the map of the ground that pixels can show; w: most that the sea of nodes is lifted, radii
-  vec4 slopes;             // x: unseen_slopes of the map of the ground and the pixels, y: of the ground's mesh; z: part of the sea that is foam by waves that are not drawn
+  vec4 slopes;             // x: unseen_slopes of the map of the ground and the pixels, y: of the ground's mesh; z: part of the sea that is foam by waves that are not drawn; w: rays along which a pixel of the water looks for land in its mirror
   vec4 sky_glow;           // xyz: light of the glow that a low sun spreads over the sky of the eye, 0 outside of the air
   vec4 fineness;           // x: footprint_of_pixel, pixels; y: of texels of the map of the ground from where pixels add layers, pixels; z: size of points of light for which one pixel is shown, pixels; w: part of their light that is left at this size
   vec4 depth;              // x: of the far plane, a part of w; y, z: factor of and distance at which logarithms of distances become depths, y 0: none do
   vec4 lens;               // xyz: lens_above_water in src/planet/pose.hpp; w: depth of the eye under the still water, radii, >= 0
+  mat4 mirror_from_eye;    // of positions relative to the eye, to the picture of the land that the water mirrors; z: nothing
+  vec4 mirror;             // x: height of the eye over the still water, radii; 0: no land stands in it; y: angle of a pixel of that picture, rad; z: depth_of_climb in src/planet/mirror.hpp; w: that of clip space while that picture is drawn, else 0
   ivec4 channel;           // x: 0 colour, 1 distance, 2 normal, 3 height
 };
 
@@ -32,13 +34,26 @@ float pixel_footprint(vec3 up, vec3 offset, float least_cosine) {
   return fineness.x * away * ray_forward.w / max(-dot(up, offset) / away, least_cosine);
 }
 
+// Height of a position relative to the eye over the still water, where land stands in its mirror.
+float over_mirror(vec3 offset) {
+  float distance_to_eye = sea.x + mirror.x;
+  float square = 2.0 * dot(eye_high.xyz, offset) + dot(offset, offset);
+  return mirror.x + square / (sqrt(distance_to_eye * distance_to_eye + square) + distance_to_eye);
+}
+
+// As a part of its distance, how far below the water land is shown in its mirror.
+float foot_in_mirror() { return 3.0 * mirror.y; }
+
 // Where a position relative to the eye is in the picture. Depths fall with distance, from near the eye down to 0 at infinity:
 // floats tell apart there what they can't next to 1. Where the driver's depths run from -1 to 1 that is lost, and they may
 // have to go by logarithms instead (depth_scheme in src/planet/pose.cpp), which are right at the corners of triangles only.
+// In a mirror they fall with how steeply one looks up to a place over the water, so that what is under it is cut off, some pixels
+// below: shores are finer than meshes.
 vec4 clip_at(vec3 offset) {
   vec4 clip = clip_from_eye * vec4(offset, 1.0);
   float by_logarithm = clip.w * (1.0 - depth.y * log2(max(clip.w, 1.0e-30) / depth.z));
-  return vec4(clip.xy, depth.y > 0.0 ? by_logarithm : clip.z, clip.w);
+  float by_climb = clip.w - mirror.w * (over_mirror(offset) + foot_in_mirror() * clip.w);
+  return vec4(clip.xy, mirror.w > 0.0 ? by_climb : depth.y > 0.0 ? by_logarithm : clip.z, clip.w);
 }
 
 // The same at infinity along a ray: behind all that has a depth.

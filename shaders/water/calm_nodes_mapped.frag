@@ -3,4 +3,4 @@
 #include "node_map.glsl"
 #include "shore_nodes.glsl"
 #include "water_from_air.glsl"
-#include "mirror_of_clouds.glsl"
+#include "mirror_of_land.glsl"

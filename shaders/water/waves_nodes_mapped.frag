@@ -3,4 +3,4 @@
 #include "shore_nodes.glsl"
 #include "wavy_shore.glsl"
 #include "water_from_air.glsl"
-#include "mirror_of_clouds.glsl"
+#include "mirror_of_land.glsl"

@@ -91,7 +91,7 @@ void PanelPainter::take_picture(ImDrawData& shown) {
   if (box_.width <= 0 || box_.height <= 0) return picture_.reset();
   if (!picture_ || picture_->image().width() != box_.width || picture_->image().height() != box_.height) {
     picture_.reset();
-    picture_ = std::make_unique<gl::Target>(box_.width, box_.height, gl::Format::rgba8, false);
+    picture_ = std::make_unique<gl::Target>(box_.width, box_.height, gl::Format::rgba8, gl::Depth::none);
   }
   picture_->begin();
   constexpr float clear[] = {0.0F, 0.0F, 0.0F, 0.0F};

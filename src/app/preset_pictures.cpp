@@ -40,7 +40,7 @@ void PresetPictures::advance() {
   view.height = oversampling * height;
   if (renderer_->prepare(scene, view, Effort::live) < 1.0) return;
   renderer_->draw(scene, view, {});
-  pictures_.push_back(std::make_unique<gl::Target>(width, height, gl::Format::rgba8, false));
+  pictures_.push_back(std::make_unique<gl::Target>(width, height, gl::Format::rgba8, gl::Depth::none));
   renderer_->show({pictures_.back()->framebuffer(), width, height}, false);
   gl::make_opaque(*pictures_.back());
   if (complete()) renderer_.reset();

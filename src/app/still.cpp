@@ -22,6 +22,7 @@ View view_of(const StillOptions& options, const Tile& tile) {
   view.height = tile.height;
   view.seconds = options.seconds;
   view.field = options.field * tile.height / options.height;
+  view.whole = {options.width, options.height, options.field};
   view.shift = 0.5 * glm::dvec2(options.width, options.height) -
                (glm::dvec2(tile.x, tile.y) + 0.5 * glm::dvec2(tile.width, tile.height));
   return view;
@@ -60,7 +61,7 @@ Image cut_out(Renderer& renderer, Scene scene, StillOptions options, const Tile&
 Image shown(Renderer& renderer, const Scene& scene, const StillOptions& options, const Tile& tile) {
   const View view = drawn_at(view_of(options, tile), scene.quality.resolution_scale, gl::caps().max_texture);
   renderer.draw(scene, view, {});
-  const gl::Target target(tile.width, tile.height, gl::Format::rgba8, false);
+  const gl::Target target(tile.width, tile.height, gl::Format::rgba8, gl::Depth::none);
   target.begin();
   renderer.show({target.framebuffer(), tile.width, tile.height}, scene.quality.antialias);
   const std::vector<unsigned char> bytes = target.read_bytes();

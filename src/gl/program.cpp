@@ -93,6 +93,8 @@ void Program::finish() {
   set("node_coarser_shape_slopes", unit_nodes + 5);
   set("node_means", unit_nodes + 6);
   set("height_map", unit_heights);
+  set("mirrored_land", unit_mirror);
+  set("mirrored_depths", unit_mirror_depths);
   finished_ = true;
 }
 

@@ -45,7 +45,9 @@ enum Unit : int {
   unit_clouds = 1,
   unit_image = 2,
   unit_nodes = 3,  // seven of them
-  unit_heights = 10
+  unit_heights = 10,
+  unit_mirror = 11,
+  unit_mirror_depths = 12
 };
 enum Block : GLuint {
   block_scene = 0,

@@ -4,10 +4,13 @@
 
 namespace terrella::gl {
 
-Target::Target(int width, int height, Format format, bool depth) : image_(width, height, format) {
+Target::Target(int width, int height, Format format, Depth depth) : image_(width, height, format) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image_.name(), 0);
-  if (depth) {
+  if (depth == Depth::read) {
+    depths_.emplace(width, height, Format::depth32f);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depths_->name(), 0);
+  } else if (depth == Depth::drawn) {
     glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());

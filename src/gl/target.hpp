@@ -2,21 +2,27 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "gl/texture.hpp"
 
 namespace terrella::gl {
 
-// A picture to draw into, with depth if asked.
+enum class Depth { none, drawn, read };
+
+// A picture to draw into, with depths if asked, which may be read afterwards.
 class Target {
  public:
-  Target(int width, int height, Format format, bool depth);
+  Target(int width, int height, Format format, Depth depth);
 
   // Directs drawing here and sets the viewport to the whole of it.
   void begin() const;
 
   [[nodiscard]] const Image& image() const { return image_; }
+  [[nodiscard]] Image& image() { return image_; }
+  // Of Depth::read.
+  [[nodiscard]] const Image& depths() const { return *depths_; }
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
   // Reads it back: four channels, bottom row first. Waits for the GPU.
@@ -26,6 +32,7 @@ class Target {
  private:
   Image image_;
   FramebufferHandle framebuffer_;
+  std::optional<Image> depths_;
   RenderbufferHandle depth_;
   Holding memory_;
 };

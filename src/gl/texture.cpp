@@ -18,6 +18,7 @@ Layout layout_of(Format format) {
     case Format::rgb10a2: return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 4};
     case Format::rgba16f: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
     case Format::rgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    case Format::depth32f: return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
   }
   return {};
 }
@@ -40,7 +41,7 @@ Image::Image(int width, int height, Format format) : width_(width), height_(heig
   glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(layout.internal), width, height, 0, layout.format, layout.type,
                nullptr);
   // 32 bit floats need not be filterable.
-  const GLenum filter = format == Format::rgba32f ? GL_NEAREST : GL_LINEAR;
+  const GLenum filter = format == Format::rgba32f || format == Format::depth32f ? GL_NEAREST : GL_LINEAR;
   set_filters(GL_TEXTURE_2D, filter, filter);
   memory_.set(std::int64_t{width} * height * layout.bytes);
 }
@@ -50,6 +51,13 @@ void Image::set_row(int row, std::span<const glm::vec4> texels, int column) cons
   CHECK(count + column <= width_ && row < height_, count, column, width_, row);
   glBindTexture(GL_TEXTURE_2D, name());
   glTexSubImage2D(GL_TEXTURE_2D, 0, column, row, count, 1, GL_RGBA, GL_FLOAT, texels.data());
+}
+
+void Image::make_mipmaps() {
+  glBindTexture(GL_TEXTURE_2D, name());
+  set_filters(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  glGenerateMipmap(GL_TEXTURE_2D);
+  memory_.set(std::int64_t{width_} * height_ * bytes_of(format_) * 4 / 3);
 }
 
 void Image::bind(int unit) const {

@@ -11,17 +11,21 @@
 namespace terrella::gl {
 
 // What a texel holds.
-enum class Format { rgba8, rgb10a2, rgba16f, rgba32f };
+enum class Format { rgba8, rgb10a2, rgba16f, rgba32f, depth32f };
 
 int bytes_of(Format format);
 
-// A picture that can be drawn into, with linear filtering and clamped edges. width, height >= 1.
+// A picture that can be drawn into, with linear filtering, but for 32 bit floats and depths, and clamped edges. width,
+// height >= 1.
 class Image {
  public:
   Image(int width, int height, Format format);
 
   // texels: of a row from a column on, no more than it has there; of a format of floats.
   void set_row(int row, std::span<const glm::vec4> texels, int column = 0) const;
+
+  // Makes its mipmaps, to be blended where it is read. Of a format that is filtered.
+  void make_mipmaps();
 
   void bind(int unit) const;
   [[nodiscard]] GLuint name() const { return texture_.name(); }

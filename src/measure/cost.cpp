@@ -91,7 +91,7 @@ void add_water(Sum& sum, const Needs& needs) {
   if (needs.in_water) sum.draw(2, 2);
   if (has_nodes(needs.ground)) {
     for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
-      for (const char* seen : {"_nodes", "_nodes_in_water", "_deep_nodes", "_deep_nodes_cloudy"})
+      for (const char* seen : {"_nodes", "_nodes_in_water", "_deep_nodes", "_deep_nodes_mirror"})
         sum.program(text_of(name, seen));
     }
     constexpr std::int64_t wave_list = 16'384;  // two of the short waves, one of a hundred long ones

@@ -30,7 +30,7 @@ class Subject::Weighing {
 };
 
 Subject::Subject(int width, int height)
-    : width_(width), height_(height), screen_(width, height, gl::Format::rgba8, false) {}
+    : width_(width), height_(height), screen_(width, height, gl::Format::rgba8, gl::Depth::none) {}
 
 Image Subject::pose(const Scene& scene) {
   const Weighing weighing(*this);

@@ -33,6 +33,11 @@ double white_from_afar(const Needs& needs, const Sea& sea) {
   return f64::whitecaps_at(1.0, 1.0, sea.slope_variance, sea.breaking);
 }
 
+// Whether the water has no slopes but those that are shown.
+bool is_smooth(const Needs& needs) {
+  return needs.water == Water::calm && !needs.hides_waves && needs.ripple_layers == 0;
+}
+
 }  // namespace
 
 double margin_of_rows(const Frame& frame) {
@@ -75,7 +80,8 @@ double map_level(const Frame& frame, double radius, double texel) {
 }
 
 FrameBlock frame_block(const Frame& frame, const Maps& maps) {
-  const auto& [scene, view, pose, needs, sea, channel, effort, rows, levels_for, ground_shown] = frame;
+  const auto& [scene, view, pose, needs, sea, channel, effort, rows, levels_for, ground_shown, mirror, is_mirror] =
+      frame;
   const double aspect = static_cast<double>(view.width) / view.height;
   const glm::vec3 high(pose.eye);
   const f64::SceneLight light = light_of(scene, pose);
@@ -107,7 +113,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.water_depths = vector(water.color, water.clarity);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);
   block.slopes = glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)), unseen_slopes(scene, needs.ground_spacing),
-                           white_from_afar(needs, sea), 0.0);
+                           white_from_afar(needs, sea), is_smooth(needs) ? 1.0 : 4.0);
   block.sky_glow = vector(light.sky_glow);
   // Points of light have their size in the picture that is shown; where fewer pixels are drawn they are as small as can
   // be, and dimmer for it.
@@ -115,6 +121,17 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
                              std::pow(std::min(view.scale, 1.0), 2.0));
   block.depth = glm::vec4(depths.far_plane, depths.log_factor, pose.near, 0.0);
   block.lens = vector(lens_above_water(pose), std::max(water_radius(scene) - glm::length(pose.eye), 0.0));
+  if (mirror != nullptr) {
+    block.mirror_from_eye = clip_in_mirror(*mirror);
+    const double climb = depth_of_climb(*mirror);
+    // Depths are 0 to 1 in the end, whichever they are drawn as.
+    const double drawn = is_mirror ? (gl::caps().clip_control ? 1.0 : 2.0) * climb : 0.0;
+    block.mirror = glm::vec4(mirror->height, mirror->pose.pixel_angle, climb, drawn);
+  } else {
+    block.mirror_from_eye = glm::mat4(0.0F);
+    block.mirror = glm::vec4(0.0F);
+  }
+  if (is_mirror) block.clip_from_eye = block.mirror_from_eye;
   block.channel = glm::ivec4(static_cast<int>(channel), 0, 0, 0);
   return block;
 }

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 
 #include "planet/icosphere_groups.hpp"
+#include "planet/mirror.hpp"
 #include "planet/needs.hpp"
 #include "planet/pose.hpp"
 #include "planet/waves.hpp"
@@ -45,6 +46,8 @@ struct FrameBlock {
   glm::vec4 fineness;
   glm::vec4 depth;
   glm::vec4 lens;
+  glm::mat4 mirror_from_eye;
+  glm::vec4 mirror;
   glm::ivec4 channel;
 };
 
@@ -59,6 +62,8 @@ struct Frame {
   Rows rows;                         // of the picture that are drawn now; all else of it is as for the whole
   const Pose* levels_for = nullptr;  // for which levels of detail of nodes are chosen; none: its own
   GroundShown ground_shown = GroundShown::now;
+  const Mirror* mirror = nullptr;  // in which land stands, if in any
+  bool is_mirror = false;          // it is the picture of that land
 };
 
 // Whether its rows are all that the picture has.

@@ -33,6 +33,8 @@ class GroundPass {
   virtual void bind_map(double) {}
 
   virtual void draw(const Frame& frame) = 0;
+  // Whether any of it may stand in the water's mirror.
+  [[nodiscard]] virtual bool is_mirrored() const { return true; }
 
   // Where the surface lies that is drawn, over each group of the icosphere; empty where that is not known.
   [[nodiscard]] virtual std::span<const RadiusRange> ranges() const { return {}; }

@@ -1,6 +1,7 @@
 #include "passes/ground_icosphere.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -157,8 +158,9 @@ void GroundIcosphere::draw(const Frame& frame) {
   for (const RadiusRange& range : surface.ranges) {
     tops.push_back(range.highest < shown ? 0.0F : static_cast<float>(range.highest));
   }
-  surface.mesh.draw(frame, visible_groups(sight_of(frame), from_above ? std::max(lowest, water.lowest) : lowest, tops),
-                    shown);
+  Sight sight = sight_of(frame);
+  if (frame.is_mirror) sight.half_angle = std::numbers::pi;  // it is another eye's picture
+  surface.mesh.draw(frame, visible_groups(sight, from_above ? std::max(lowest, water.lowest) : lowest, tops), shown);
 }
 
 }  // namespace terrella

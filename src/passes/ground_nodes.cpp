@@ -16,8 +16,10 @@ void GroundNodes::draw(const Frame& frame) {
   const LayerBlock block = layer_block(frame.scene, frame.pose, 0);
   layers_.set(gl::block_layers, std::as_bytes(std::span(&block, 1)));
   const gl::Program& program = program_.use(frame.effort == Effort::complete);
-  nodes(frame.ground_shown)->draw(frame, program, NodeLayer::ground);
+  nodes(frame.ground_shown)->draw(frame, program, frame.is_mirror ? NodeLayer::mirrored : NodeLayer::ground);
 }
+
+bool GroundNodes::is_mirrored() const { return nodes(GroundShown::now)->are_mirrored(); }
 
 void GroundFixedGrid::update(const Frame& frame) {
   if (!grid_) grid_ = grid_of(technique_, frame.scene, frame.pose);

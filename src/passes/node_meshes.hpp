@@ -45,6 +45,9 @@ class NodeMeshes {
   using OfLevel = std::function<void(double spacing)>;
   void draw(const Frame& frame, const gl::Program& program, NodeLayer layer, const OfLevel& of_level = {}) const;
 
+  // Whether any land stands in the mirror of the sea.
+  [[nodiscard]] bool are_mirrored() const { return !runs_.at(static_cast<std::size_t>(NodeLayer::mirrored)).empty(); }
+
   // Whether nothing is missing that there is room for.
   [[nodiscard]] bool settled() const { return !choice_.lacks || is_full_; }
   [[nodiscard]] std::int64_t noise_evaluations() const { return noise_evaluations_; }
@@ -52,7 +55,8 @@ class NodeMeshes {
  private:
   [[nodiscard]] bool sea_is_coarser() const { return sight_.sea > 0.0 && sea_ranges_.split < ranges_.split; }
   [[nodiscard]] const std::vector<DrawnNode>& drawn_as(NodeLayer layer) const {
-    return layer == NodeLayer::ground || !sea_is_coarser() ? choice_.drawn : sea_choice_.drawn;
+    const bool is_sea = layer == NodeLayer::sea || layer == NodeLayer::deep_sea;
+    return is_sea && sea_is_coarser() ? sea_choice_.drawn : choice_.drawn;
   }
   // Forgets what was made for another grid or another relief.
   void start_anew(const Frame& frame);
@@ -88,7 +92,7 @@ class NodeMeshes {
   std::array<std::unique_ptr<gl::Image>, node_formats.size()> textures_;
   std::array<List, most_node_lists> lists_;  // of the triangles (node_triangles)
   std::unique_ptr<gl::Instances> meshes_;
-  std::array<std::vector<Run>, 3> runs_;  // of the layers
+  std::array<std::vector<Run>, node_layers> runs_;  // of the layers
   std::vector<glm::vec4> instances_;
   // Room to sort a layer's nodes.
   struct InOrder {

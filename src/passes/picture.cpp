@@ -59,7 +59,7 @@ const gl::Image& PicturePass::reduced(const gl::Image& light, const gl::Screen& 
   if (fits && reduced_now_) return reduced_->image();
   if (!fits) {
     reduced_.reset();
-    reduced_ = std::make_unique<gl::Target>(screen.width, screen.height, light.format(), false);
+    reduced_ = std::make_unique<gl::Target>(screen.width, screen.height, light.format(), gl::Depth::none);
   }
   if (!reduce_) reduce_ = std::make_unique<gl::Program>("picture/reduce", "picture/screen");
   reduced_->begin();
@@ -77,7 +77,7 @@ void PicturePass::develop(const gl::Image& light, const gl::Pixels& part) {
   if (part == developed_part_) return;
   if (!developed_ || developed_->image().width() != light.width() || developed_->image().height() != light.height()) {
     developed_.reset();
-    developed_ = std::make_unique<gl::Target>(light.width(), light.height(), gl::Format::rgba8, false);
+    developed_ = std::make_unique<gl::Target>(light.width(), light.height(), gl::Format::rgba8, gl::Depth::none);
   }
   developed_->begin();
   light.bind(gl::unit_image);

@@ -57,7 +57,8 @@ void SeaPass::want(const Needs& needs) {
                                                       : "water/calm";
   const char* seen_from = needs.in_water ? "_in_water" : "";
   if (over_nodes) {
-    deep_program_->want(name + (needs.clouds == Clouds::none ? "_deep_nodes" : "_deep_nodes_cloudy"));
+    deep_program_->want(name +
+                        (needs.clouds != Clouds::none || needs.mirrors_land ? "_deep_nodes_mirror" : "_deep_nodes"));
     return program_->want(name + (needs.ground_mapped ? "_nodes_mapped" : "_nodes") + seen_from);
   }
   program_->want(name + (refines_ground(needs) ? "_near" : "") + seen_from);

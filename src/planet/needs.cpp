@@ -27,6 +27,9 @@ namespace {
 // Places in the choice lists of params.inc.
 enum : int { model_none = 0, model_auto = 1, water_calm = 2, water_waves = 3 };
 
+// In the order of the choices of water.shading.
+enum : int { shading_phong = 1 };
+
 // In the order of the choices of terrain.model.
 enum : int { ground_icosphere = 2, ground_triangle_lod = 4 };
 
@@ -243,6 +246,22 @@ void decide_dive(Needs& needs, const Scene& scene, const View& view, const Pose&
                                      : "the eye is over the water");
 }
 
+// Land that is seen in the water's mirror.
+void decide_mirror(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
+  constexpr double usual_height = 0.1, usual_grazing = 0.1;  // of land's highest; rad
+  const bool clear = scene.water.shading != shading_phong;
+  const double height = usual_height * (ground_top(scene) - water_radius(scene));
+  const double distance = std::max(glm::length(pose.eye) - water_radius(scene), 0.0) / usual_grazing;
+  const bool near = has_nodes(needs.ground) || refines_ground(needs);
+  const bool seen = near && height > pose.pixel_angle * distance;
+  needs.mirrors_land = clear && seen && !needs.in_water;
+  decide.add("water.mirrors_land", needs.mirrors_land ? "yes" : "no",
+             !clear               ? "water.shading asks for a highlight alone"
+             : needs.in_water     ? "the eye is in the water"
+             : needs.mirrors_land ? "shores are near enough"
+                                  : "too far for a mirrored shore to be seen, or there is none");
+}
+
 void decide_water(Needs& needs, const Scene& scene, const View& view, const Pose& pose, Decisions& decide) {
   const auto& water = scene.water;
   if (!has_water(scene)) {
@@ -272,6 +291,7 @@ void decide_water(Needs& needs, const Scene& scene, const View& view, const Pose
                sea.held ? "held where the surface would fold over" : "as asked; the surface does not fold");
   }
   decide_dive(needs, scene, view, pose, decide);
+  decide_mirror(needs, scene, pose, decide);
   needs.hides_waves = nodes && needs.water == Water::calm && !sea.is_calm();
   const double allowed = scene.quality.pixel_error * pixel_of_water_height(pose);
   needs.water_level = needs.water == Water::waves ? finest_relief_level(scene) : sphere_level(allowed);

@@ -18,6 +18,19 @@ constexpr double look_ahead = 1.15;
 // one that comes into view undivided would hold back all that is finer around it.
 constexpr double look_aside = 0.15, look_over = 1.25;
 
+// Radius of the highest of ground and sea over a node.
+double top_of(const NodeSight& sight, const NodeFrame& frame) {
+  return std::max(1.0 + frame.heights.highest, sight.top_of_sea(frame.outline));
+}
+
+// beyond: so far from them.
+bool is_between(const std::array<glm::dvec3, 4>& sides, const NodeSight& sight, const NodeFrame& frame, double beyond) {
+  const double low = 1.0 + frame.heights.lowest, high = top_of(sight, frame);
+  return std::none_of(sides.begin(), sides.end(), [&](const glm::dvec3& side) {
+    return is_outside(frame.outline, low, high, sight.eye, side, beyond);
+  });
+}
+
 class Choice {
  public:
   Choice(const NodeGrid& grid, const NodeSight& sight, const NodeEye& eye, const NodeRanges& ranges, NodeCache& cache,
@@ -141,38 +154,25 @@ class Choice {
     return above >= 0 && cache_.is_leaf(above);
   }
 
-  // Radius of the highest of ground and sea over a node.
-  [[nodiscard]] double top_of(const NodeFrame& frame) const {
-    return std::max(1.0 + frame.heights.highest, sight_.top_of_sea(frame.outline));
-  }
-
   [[nodiscard]] bool is_seen(const NodeCache::Entry& entry) const {
-    return is_near_enough(entry.frame) && is_between_sides(entry.frame, 0.0) && !behind_horizon(entry.frame, 1.0);
+    const NodeFrame& frame = entry.frame;
+    return is_near_enough(frame) && (is_in_picture(sight_, frame, 0.0) || is_in_mirror(sight_, frame)) &&
+           !behind_horizon(frame, 1.0);
   }
 
   [[nodiscard]] bool is_around(const NodeCache::Entry& entry) const {
-    return is_between_sides(entry.frame, look_aside) && !behind_horizon(entry.frame, look_over);
+    return is_in_picture(sight_, entry.frame, look_aside) && !behind_horizon(entry.frame, look_over);
   }
 
   [[nodiscard]] bool is_near_enough(const NodeFrame& frame) const {
     return std::isinf(sight_.farthest) || nearest_to(frame.outline, eye_.direction) < sight_.farthest;
   }
 
-  // aside: rad beyond them.
-  [[nodiscard]] bool is_between_sides(const NodeFrame& frame, double aside) const {
-    const double low = 1.0 + frame.heights.lowest, high = top_of(frame);
-    const double beyond =
-        sight_.sea_swell + aside * (glm::distance(sight_.eye, frame.outline.middle) + frame.outline.half_width);
-    return std::none_of(sight_.sides.begin(), sight_.sides.end(), [&](const glm::dvec3& side) {
-      return is_outside(frame.outline, low, high, sight_.eye, side, beyond);
-    });
-  }
-
   // Hidden by the occluder, however high the ground rises over the node, from an eye so many times as high.
   [[nodiscard]] bool behind_horizon(const NodeFrame& frame, double times_as_high) const {
     const double r = sight_.occluder, distance = glm::length(sight_.eye);
     if (r <= 0.0 || distance <= r) return false;
-    const double top = std::max(top_of(frame) - r, 0.0);
+    const double top = std::max(top_of(sight_, frame) - r, 0.0);
     const double away = f64::angle_between(frame.outline.middle, sight_.eye);
     return away > f64::hidden_angle(r, times_as_high * (distance - r), top) +
                       2.0 * std::asin(std::min(0.5 * frame.outline.half_width, 1.0));
@@ -188,6 +188,16 @@ class Choice {
 };
 
 }  // namespace
+
+bool is_in_picture(const NodeSight& sight, const NodeFrame& node, double aside) {
+  const double distance = glm::distance(sight.eye, node.outline.middle) + node.outline.half_width;
+  return is_between(sight.sides, sight, node, sight.sea_swell + aside * distance);
+}
+
+bool is_in_mirror(const NodeSight& sight, const NodeFrame& node) {
+  return sight.mirror_sides && 1.0 + node.heights.highest > sight.sea &&
+         is_between(*sight.mirror_sides, sight, node, sight.mirror_depth);
+}
 
 NodeDistance distance_of(const NodeOutline& node, const NodeEye& eye, double widest) {
   const double nearest = std::hypot(eye.lift, nearest_to(node, eye.direction));

@@ -35,6 +35,11 @@ struct NodeChoice {
 void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& eye, const NodeRanges& ranges,
                   NodeCache& cache, NodeChoice& choice);
 
+// Whether a node is in the picture, or so far (rad) beside it.
+bool is_in_picture(const NodeSight& sight, const NodeFrame& node, double aside);
+// Whether any of it stands in the mirror of the sea.
+bool is_in_mirror(const NodeSight& sight, const NodeFrame& node);
+
 // How far a node is from the eye, as NodeEye counts.
 struct NodeDistance {
   double nearest;   // its nearest place

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "planet/mirror.hpp"
 #include "planet/spheres.hpp"
 #include "planet/terrain.hpp"
 
@@ -36,6 +37,11 @@ NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pos
     sight.sea_hides = needs.water_hides;
     sight.most_sea_lift = needs.water_most_lift;
   }
+  if (needs.mirrors_land) {
+    const Mirror mirror = mirror_of(scene, pose, view);
+    sight.mirror_sides = node_sight(mirror.pose, mirror.view, {0, mirror.view.height}, 0.0).sides;
+    sight.mirror_depth = 2.0 * mirror.height;
+  }
   return sight;
 }
 
@@ -60,6 +66,9 @@ bool is_deep(const NodeFrame& node, const NodeDetail& detail, const NodeSight& s
 }  // namespace
 
 bool shows(NodeLayer layer, const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight) {
+  if (layer == NodeLayer::mirrored) return is_in_mirror(sight, node);
+  // Else all that was chosen is in it.
+  if (sight.mirror_sides && !is_in_picture(sight, node, 0.0)) return false;
   const bool water = sight.sea > 0.0;
   if (layer == NodeLayer::ground) {
     const double lowest_sea = sight.sea * (1.0 - detail.spacing * detail.spacing / 8.0);

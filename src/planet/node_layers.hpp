@@ -10,8 +10,9 @@ namespace terrella {
 
 // What is drawn of a node.
 //
-// deep_sea: of whose ground nothing is seen; all other sea is `sea`.
-enum class NodeLayer { ground, sea, deep_sea };
+// deep_sea: of whose ground nothing is seen; all other sea is `sea`. mirrored: its land in the mirror of the sea.
+enum class NodeLayer { ground, sea, deep_sea, mirrored };
+inline constexpr std::size_t node_layers = 4;
 
 // needs: of a ground of nodes, here and below.
 NodeRanges ranges_of(const NodeGrid& grid, const Needs& needs);

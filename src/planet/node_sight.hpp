@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
@@ -22,6 +23,9 @@ struct NodeSight {
   double sea_hides = 0.0;                                     // depth of the ground from which nothing of it is seen
   double farthest = std::numeric_limits<double>::infinity();  // from where nothing is seen
   double sea_swell = 0.0;  // by how much waves raise it, or move it aside, at the most
+  // As sides, of what the sea mirrors; none where it mirrors no land. They go through the mirrored eye: so far below.
+  std::optional<std::array<glm::dvec3, 4>> mirror_sides = std::nullopt;
+  double mirror_depth = 0.0;
 
   // Radius of the highest sea over a node.
   [[nodiscard]] double top_of_sea(const NodeOutline& node) const;

@@ -121,12 +121,25 @@ double surface_radius(const Scene& scene, const glm::dvec3& direction) {
   return surface;
 }
 
+View whole_of(const View& view) {
+  if (!view.whole) return view;
+  View all = view;
+  all.width = view.whole->width;
+  all.height = view.whole->height;
+  all.field = view.whole->field;
+  all.shift = glm::dvec2(0.0);
+  all.whole.reset();
+  return all;
+}
+
 View drawn_at(View shown, double scale, int most) {
   View drawn = shown;
   drawn.scale = std::min(scale, static_cast<double>(most) / std::max(shown.width, shown.height));
-  drawn.width = std::max(1, static_cast<int>(shown.width * drawn.scale + 0.5));
-  drawn.height = std::max(1, static_cast<int>(shown.height * drawn.scale + 0.5));
+  const auto pixels = [&](int count) { return std::max(1, static_cast<int>(count * drawn.scale + 0.5)); };
+  drawn.width = pixels(shown.width);
+  drawn.height = pixels(shown.height);
   drawn.shift *= glm::dvec2(drawn.width, drawn.height) / glm::dvec2(shown.width, shown.height);
+  if (shown.whole) drawn.whole = {pixels(shown.whole->width), pixels(shown.whole->height), shown.whole->field};
   return drawn;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -11,6 +12,12 @@
 #include "scene/scene.hpp"
 
 namespace terrella {
+
+// A picture that is drawn in several parts, around the middle of which the camera looks.
+struct WholePicture {
+  int width, height;  // pixels, >= 1
+  double field;       // as of View
+};
 
 // What a picture depends on beside the scene.
 struct View {
@@ -21,7 +28,11 @@ struct View {
   glm::dvec2 shift{0.0};  // of all that is seen, in pixels right and down: for samples and tiles, or past a panel
   double field = 1.0;     // tangent of half the angle that the height covers, as a multiple of that of half camera.fov:
                           // less for tiles of a larger picture, more for upright windows
+  std::optional<WholePicture> whole = std::nullopt;  // that it is a tile or a sample of, if any
 };
+
+// The view of the whole picture that one is a part of; itself, if of none.
+View whole_of(const View& view);
 
 // A view of the pixels that are shown as one of those that are drawn. scale: so many along a side for each shown, > 0;
 // less where there would be more than `most` along one.

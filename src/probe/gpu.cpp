@@ -89,7 +89,8 @@ GLuint Gpu::program_of(std::string_view function) {
 }
 
 void Gpu::draw(GLuint program, const Told& all, const std::vector<GLint>& starts, std::vector<Drawn>& drawn) {
-  const gl::Target somewhere(1, 1, gl::Format::rgba8, false);  // a context without a window has nowhere to draw to
+  const gl::Target somewhere(1, 1, gl::Format::rgba8,
+                             gl::Depth::none);  // a context without a window has nowhere to draw to
   somewhere.begin();
   gl::HeightTexture::keep(height_map_, all.map.get());
   if (height_map_) height_map_->bind(gl::unit_heights);

@@ -153,14 +153,19 @@ double Tracer::gathered_on(const SeenGround& bottom) const {
   return sea_->gathered_at(glm::normalize(bottom.up - way * down), way, look_.refraction_index);
 }
 
+f64::SceneLight Tracer::light_seen_from(const glm::dvec3& place) const {
+  f64::SceneLight light = light_;
+  light.eye = place;
+  light.eye_height = glm::length(place) - 1.0;
+  return light;
+}
+
 glm::dvec3 Tracer::sky_from(const Ray& ray, const f64::LightAt& at) const {
   const glm::dvec3 sky = f64::sky_along(at, ray.direction, light_);
   const double way = clouds_ ? f64::way_to_clouds(ray.origin, ray.direction, clouds_->clouds()) : 0.0;
   if (way <= 0.0) return sky;
-  f64::SceneLight from_there = light_;
-  from_there.eye = ray.origin;
-  from_there.eye_height = glm::length(ray.origin) - 1.0;
   const f64::CloudAt cloud = clouds_->at(glm::normalize(ray.at(way)), light_.sun);
+  const f64::SceneLight from_there = light_seen_from(ray.origin);
   return behind(f64::cloud_veil(cloud, way * ray.direction, clouds_->clouds(), from_there), sky);
 }
 
@@ -168,7 +173,10 @@ glm::dvec3 Tracer::light_above(const Ray& ray, const f64::LightAt& at) const {
   if (const auto t = ground_ ? ground_->hit(ray, infinity, resolution_from(ray.origin)) : std::nullopt) {
     const SeenGround ground = ground_at(ray.at(*t));
     // Before a place under water there are other waves, which mirror the sky in turn.
-    if (ground.at.height > 0.0) return light_of_ground(ground, light_over(ground));
+    if (ground.at.height > 0.0) {
+      const f64::LightAt there = light_over(ground);
+      return f64::through_air(light_of_ground(ground, there), there, *t * ray.direction, light_seen_from(ray.origin));
+    }
   }
   return sky_from(ray, at);
 }

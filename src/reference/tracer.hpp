@@ -71,6 +71,8 @@ class Tracer {
   [[nodiscard]] glm::dvec3 light_from_below(const Ray& refracted, const f64::LightAt& at, double shade) const;
   // Along a ray from the water up.
   [[nodiscard]] glm::dvec3 light_above(const Ray& ray, const f64::LightAt& at) const;
+  // What lights the scene, and the air, for an eye at another place.
+  [[nodiscard]] f64::SceneLight light_seen_from(const glm::dvec3& place) const;
   [[nodiscard]] glm::dvec3 sky_from(const Ray& ray, const f64::LightAt& at) const;
   // Sunlight that waves gather on the bottom, as a multiple of what it has under a still sea.
   [[nodiscard]] double gathered_on(const SeenGround& bottom) const;

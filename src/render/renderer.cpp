@@ -144,7 +144,7 @@ void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
   pose_ = pose_of(scene, view);
   needs_ = needs_of(scene, view, pose_);
   choose_techniques(shot.effort);
-  begun_.emplace(Begun{scene, view, shot, make_sea(scene, view.seconds)});
+  begun_.emplace(Begun{scene, view, shot, make_sea(scene, view.seconds), {}});
   effort_ = shot.effort;
   planet_box_ = box_of_sphere(pose_, view, outermost_radius(scene));
 
@@ -152,15 +152,39 @@ void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
   update_slots(frame_of({0, view.height}));
   if (ground_ && ground_->is_coarse()) pose_ = pose_over_coarse_ground(scene, view);
+  draw_mirror();
   begin_light(view, shot);
+}
+
+void Renderer::draw_mirror() {
+  if (!needs_.mirrors_land) return land_mirror_.clear();
+  if (!ground_->is_mirrored() || begun_->shot.channel != Channel::color) return;
+  begun_->mirror = mirror_of(begun_->scene, pose_, begun_->view);
+  const Mirror& mirror = *begun_->mirror;
+  const Frame frame = {begun_->scene, mirror.view,      mirror.pose, needs_,
+                       begun_->sea,   Channel::color,   effort_,     {0, mirror.view.height},
+                       nullptr,       GroundShown::now, &mirror,     true};
+  set_maps(frame);
+  land_mirror_.begin(mirror);
+  draw_opaque();
+  ground_->draw(frame);
+  land_mirror_.end();
 }
 
 Frame Renderer::frame_of(const Rows& rows) const {
   CHECK(begun_, rows.first);
   const auto& levels_for = begun_->shot.levels_for;
-  return {begun_->scene, begun_->view, pose_,
-          needs_,        begun_->sea,  begun_->shot.channel,
-          effort_,       rows,         levels_for ? &*levels_for : nullptr};
+  return {begun_->scene,
+          begun_->view,
+          pose_,
+          needs_,
+          begun_->sea,
+          begun_->shot.channel,
+          effort_,
+          rows,
+          levels_for ? &*levels_for : nullptr,
+          GroundShown::now,
+          begun_->mirror ? &*begun_->mirror : nullptr};
 }
 
 void Renderer::draw_rows(const Rows& rows) {
@@ -264,6 +288,7 @@ void Renderer::set_maps(const Frame& frame) {
   } else {
     no_clouds_.bind(gl::unit_clouds);
   }
+  if (!frame.is_mirror) land_mirror_.bind();
   const FrameBlock block = frame_block(frame, maps);
   frame_buffer_.set(gl::block_frame, std::as_bytes(std::span(&block, 1)));
 }

@@ -13,6 +13,7 @@
 #include "passes/clouds_shell.hpp"
 #include "passes/frame.hpp"
 #include "passes/ground.hpp"
+#include "passes/land_mirror.hpp"
 #include "passes/light_fade.hpp"
 #include "passes/night_lights.hpp"
 #include "passes/picture.hpp"
@@ -97,6 +98,8 @@ class Renderer {
   void update_slots(const Frame& frame);
   void begin_light(const View& view, const Shot& shot);
   void set_maps(const Frame& frame);
+  // Draws the land that the water mirrors, if it mirrors any.
+  void draw_mirror();
   // All that is seen of a scene, to where drawing goes.
   void draw_light(const Frame& frame);
   // How much of the picture shows the ground before (GroundPass::part_before).
@@ -109,6 +112,7 @@ class Renderer {
     View view;
     Shot shot;
     Sea sea;
+    std::optional<Mirror> mirror;
   };
 
   SphereMeshes spheres_;
@@ -121,6 +125,7 @@ class Renderer {
   Slot<NightSide, NightLights> night_;
   Slot<SunImage, SunDisc> sun_;
   Slot<Rings, RingsPlane> rings_;
+  LandMirror land_mirror_;
   std::optional<WaterBackdrop> backdrop_;  // from when the eye has been under water
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;

@@ -90,7 +90,8 @@ inline std::vector<glm::vec4> run_on_gpu(const std::vector<std::string>& librari
   const auto bytes = static_cast<GLsizeiptr>(static_cast<std::size_t>(count) * sizeof(glm::vec4));
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers[1]);
   glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
-  const gl::Target somewhere(1, 1, gl::Format::rgba8, false);  // a context without a window has nowhere to draw to
+  const gl::Target somewhere(1, 1, gl::Format::rgba8,
+                             gl::Depth::none);  // a context without a window has nowhere to draw to
   somewhere.begin();
   glUseProgram(program);
   glUniform1i(glGetUniformLocation(program, "height_map"), gl::unit_heights);

@@ -14,7 +14,7 @@ TEST(Timer, TimesWhatIsDrawnAndIsTrustedOnlyWhereAGpuDraws) {
   ASSERT_TRUE(context) << context.sentence();
   const bool on_the_cpu = gl::renderer_name().find("llvmpipe") != std::string::npos;
   EXPECT_FALSE(on_the_cpu && gl::has_timer());
-  const gl::Target target(256, 256, gl::Format::rgba8, false);
+  const gl::Target target(256, 256, gl::Format::rgba8, gl::Depth::none);
   gl::Timer timer;
   for (int i = 0; i < 3; ++i) {  // one after the other
     timer.begin();

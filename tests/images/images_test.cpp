@@ -236,7 +236,7 @@ TEST(Pictures, SoonLackNothingAndCompleteOnesNever) {
   view.width = 160;
   view.height = 90;
   Studio studio, patient;
-  const gl::Target target(view.width, view.height, gl::Format::rgba8, false);
+  const gl::Target target(view.width, view.height, gl::Format::rgba8, gl::Depth::none);
   const gl::Screen screen = {target.framebuffer(), view.width, view.height};
   const auto show = [&](Renderer& renderer, Effort effort) {
     renderer.draw(scene, view, {Channel::color, effort, false});

@@ -3,7 +3,7 @@
 #include "wavy_nodes.glsl"
 #include "no_felt_ground.glsl"
 #include "water_from_air.glsl"
-#include "mirror_of_clouds.glsl"
+#include "mirror_of_land.glsl"
 
 // No surf.
 FoamLace foam_lace(float footprint) { return no_lace(); }
