@@ -1,4 +1,6 @@
 // What changes with every frame. Lengths in planet radii; C++ fills it in src/passes/frame.cpp.
+#include "lib/mirror.glsl"
+
 layout(std140) uniform FrameBlock {
   mat4 clip_from_eye;      // of positions relative to the eye
   vec4 eye_high;           // the eye, rounded to single precision; w: its height over the unit sphere
@@ -20,7 +22,7 @@ layout(std140) uniform FrameBlock {
   vec4 slopes;             // x: unseen_slopes of the map of the ground and the pixels, y: of the ground's mesh; z: part of the sea that is foam by waves that are not drawn; w: rays along which a pixel of the water looks for land in its mirror
   vec4 sky_glow;           // xyz: light of the glow that a low sun spreads over the sky of the eye, 0 outside of the air
   vec4 fineness;           // x: footprint_of_pixel, pixels; y: of texels of the map of the ground from where pixels add layers, pixels; z: size of points of light for which one pixel is shown, pixels; w: part of their light that is left at this size
-  vec4 depth;              // x: of the far plane, a part of w; y, z: factor of and distance at which logarithms of distances become depths, y 0: none do
+  vec4 depth;              // x: of the far plane, a part of w; y, z: factor of and distance at which logarithms of distances become depths, y 0: none do; w: sine of how steeply the mirrored eye looks up to land at the most
   vec4 lens;               // xyz: lens_above_water in src/planet/pose.hpp; w: depth of the eye under the still water, radii, >= 0
   mat4 mirror_from_eye;    // of positions relative to the eye, to the picture of the land that the water mirrors; z: nothing
   vec4 mirror;             // x: height of the eye over the still water, radii; 0: no land stands in it; y: angle of a pixel of that picture, rad; z: depth_of_climb in src/planet/mirror.hpp; w: that of clip space while that picture is drawn, else 0
@@ -34,13 +36,6 @@ float pixel_footprint(vec3 up, vec3 offset, float least_cosine) {
   return fineness.x * away * ray_forward.w / max(-dot(up, offset) / away, least_cosine);
 }
 
-// Height of a position relative to the eye over the still water, where land stands in its mirror.
-float over_mirror(vec3 offset) {
-  float distance_to_eye = sea.x + mirror.x;
-  float square = 2.0 * dot(eye_high.xyz, offset) + dot(offset, offset);
-  return mirror.x + square / (sqrt(distance_to_eye * distance_to_eye + square) + distance_to_eye);
-}
-
 // As a part of its distance, how far below the water land is shown in its mirror.
 float foot_in_mirror() { return 3.0 * mirror.y; }
 
@@ -52,7 +47,8 @@ float foot_in_mirror() { return 3.0 * mirror.y; }
 vec4 clip_at(vec3 offset) {
   vec4 clip = clip_from_eye * vec4(offset, 1.0);
   float by_logarithm = clip.w * (1.0 - depth.y * log2(max(clip.w, 1.0e-30) / depth.z));
-  float by_climb = clip.w - mirror.w * (over_mirror(offset) + foot_in_mirror() * clip.w);
+  float over_water = altitude_seen(sea.x, mirror.x, dot(normalize(eye_high.xyz), offset), dot(offset, offset));
+  float by_climb = clip.w - mirror.w * (over_water + foot_in_mirror() * clip.w);
   return vec4(clip.xy, mirror.w > 0.0 ? by_climb : depth.y > 0.0 ? by_logarithm : clip.z, clip.w);
 }
 

@@ -1,61 +1,67 @@
-// Water that mirrors land before a sky with its clouds.
+// Water that mirrors land before a sky with its clouds. The land's picture is that of an eye as far below the still water as the
+// true one is above (src/planet/mirror.hpp).
 #include "cloudy_sky.glsl"
 
-uniform sampler2D mirrored_land;    // its light, weighted by what it covers, before the air and as exposed; w: how much that is
-uniform sampler2D mirrored_depths;
+uniform sampler2D mirrored_land;    // its light as exposed, before the air, weighted by what it covers; w: how much that is
+uniform sampler2D mirrored_depths;  // 1 less mirror.z times how steeply that eye looks up to land over the water
 
-// Where the still water shows a place (from the eye) in its mirror.
+// Where in that picture a place (from the true eye) is.
 vec2 place_in_mirror(vec3 offset) {
   vec4 clip = mirror_from_eye * vec4(offset, 1.0);
   return 0.5 + 0.5 * clip.xy / max(clip.w, 1.0e-9);
 }
 
-// How far the land is, from an eye as far below the water as the true one is above, along a ray (unit) of that which meets the
-// place of the mirror; about as far as the sky where there is none.
-float way_in_mirror(vec2 place, vec3 ray) {
-  vec3 plumb = normalize(eye_high.xyz);
-  float climb = (1.0 - textureLod(mirrored_depths, place, 0.0).x) / mirror.z - foot_in_mirror();
-  // Land is so much steeper above the water than above that eye as its height over that tells from so far away; the sphere falls off.
-  float steeper = dot(plumb, ray) - climb * (mirror_from_eye * vec4(ray, 0.0)).w;
-  return 2.0 * mirror.x / max(steeper + sqrt(steeper * steeper + 2.0 * mirror.x / sea.x), 1.0e-9);
-}
+// From the mirrored eye to a place from the true one.
+vec3 from_mirrored_eye(vec3 offset) { return offset + 2.0 * mirror.x * normalize(eye_high.xyz); }
 
-// How far the land is that stands in the mirror at a place (from the eye), from the place of the water.
+// How far the land that stands there at a place (from the true eye) is from the pixel; very far if there is none.
 float way_to_land(vec3 place) {
-  vec3 mirrored_eye = -2.0 * mirror.x * normalize(eye_high.xyz);
-  vec3 ray = normalize(place - mirrored_eye);
-  return distance(mirrored_eye + way_in_mirror(place_in_mirror(place), ray) * ray, surface_from_eye);
+  vec3 plumb = normalize(eye_high.xyz);
+  vec3 ray = normalize(from_mirrored_eye(place));
+  float rise = (1.0 - textureLod(mirrored_depths, place_in_mirror(place), 0.0).x) / mirror.z - foot_in_mirror();
+  float way = way_in_mirror(sea.x, mirror.x, dot(plumb, ray), rise * (mirror_from_eye * vec4(ray, 0.0)).w);
+  return distance(way * ray, from_mirrored_eye(surface_from_eye));
 }
 
-// The land along rays (unit) around one, as slopes that are not shown throw them up and down; they hardly do aside, where one looks
-// along the water. As mirrored_land, but through the air.
-vec4 mean_land(LightAt at, vec3 ray, float unseen_rough, SceneLight scene) {
-  const float seen_spread = 0.93;  // of slopes that face the eye (Rayleigh), doubled by the mirror
-  float spread = seen_spread * sqrt(unseen_rough);
-  float level = log2(max(0.8 * spread / mirror.y, 1.0));
-  vec3 climb = spread * (at.up - dot(at.up, ray) * ray);
-  // Here, and further on, where lower land stands.
-  vec3 on = length(surface_from_eye) * normalize(ray - dot(at.up, ray) * at.up);
-  float way = min(way_to_land(surface_from_eye), min(way_to_land(surface_from_eye + on), way_to_land(surface_from_eye + 4.0 * on)));
+// About how far land is along a ray: what the still water mirrors here, or further on, where lower land stands.
+float way_to_lowest_land(vec3 ray, vec3 up) {
+  vec3 on = length(surface_from_eye) * normalize(ray - dot(up, ray) * up);
+  return min(way_to_land(surface_from_eye), min(way_to_land(surface_from_eye + on), way_to_land(surface_from_eye + 4.0 * on)));
+}
+
+// Whether any land stands so low in the mirror, if rays around one (unit) are thrown up and down.
+bool may_meet_land(vec3 ray, float spread, vec3 up) {
+  const float widest = 2.0;  // of the deviations of rays, and of what blurs them
+  float here = dot(normalize(from_mirrored_eye(surface_from_eye)), normalize(eye_high.xyz));
+  return mirror.x > 0.0 && min(here, dot(ray, up) - widest * spread) < depth.w;
+}
+
+// The land along those rays, as slopes that are not shown throw them; aside they hardly do, where one looks along the water. As
+// mirrored_land, but through the air. scene: for an eye at the pixel.
+vec4 mean_land(LightAt at, vec3 ray, float spread, SceneLight scene) {
+  float level = level_of_spread(spread, mirror.y);
+  float way = way_to_lowest_land(ray, at.up);
   vec4 mean = vec4(0.0);
-  int samples = int(slopes.w);
-  for (int i = 0; i < samples; ++i) {
-    // Quarters of a normal distribution.
-    float deviations = samples == 1 ? 0.0 : i == 0 ? -1.15 : i == 1 ? -0.32 : i == 2 ? 0.32 : 1.15;
-    vec3 thrown = normalize(ray + deviations * climb);
-    mean += textureLod(mirrored_land, place_in_mirror(surface_from_eye + way * thrown), level);
+  int rays = int(slopes.w);
+  for (int i = 0; i < rays; ++i) {
+    float thrown = rays == 1 ? 0.0 : spread * deviation_of_quarter(i);
+    vec3 along = normalize(ray + thrown * (at.up - dot(at.up, ray) * ray));
+    mean += textureLod(mirrored_land, place_in_mirror(surface_from_eye + way * along), level);
   }
-  mean /= float(samples) * vec4(vec3(sun_direction.w), 1.0);
+  mean /= float(rays) * vec4(vec3(sun_direction.w), 1.0);
   vec3 light = through_air(mean.rgb / max(mean.a, 1.0e-3), at, way * ray, scene);
   return vec4(mean.a * light, mean.a);
 }
 
-vec3 seen_in_mirror(LightAt at, vec3 ray, float unseen_rough, SceneLight scene) {
+// A loop without a turn costs nothing; what a condition leaves out is computed where there is no graphics card.
+vec3 seen_in_mirror(LightAt at, vec3 ray, float rough, SceneLight scene) {
   vec3 light = sky_from(at, ray, scene);
-  for (int turn = 0; turn < (mirror.x > 0.0 ? 1 : 0); ++turn) {
+  float spread = thrown_spread(rough);
+  int turns = may_meet_land(ray, spread, at.up) ? 1 : 0;
+  for (int turn = 0; turn < turns; ++turn) {
     scene.eye = sea.x * at.up;
     scene.eye_height = sea.x - 1.0;
-    vec4 land = mean_land(at, ray, unseen_rough, scene);
+    vec4 land = mean_land(at, ray, spread, scene);
     light = land.rgb + (1.0 - land.a) * light;
   }
   return light;

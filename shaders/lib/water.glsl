@@ -29,6 +29,12 @@ struct Water {
   float variance;   // of the cosine at which the eye sees it
 };
 
+// Fourth power of the roughness that stands for slopes which are too small to be seen.
+float unseen_rough(Water w, WaterLook look) {
+  float all = w.roughness * w.roughness, own = look.roughness * look.roughness;
+  return max(all * all - own * own, 0.0);
+}
+
 // Small waves of flow noise on a calm sea, summed from the coarsest layer on (Sandahl 2022, equations 12 and 13).
 struct Ripples {
   vec3 gradient;    // of the water's height over the unit sphere

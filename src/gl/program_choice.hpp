@@ -23,6 +23,9 @@ class ProgramChoice {
   // True once use() will not wait for the wanted program.
   bool ready() { return wanted_->ready(); }
 
+  // Whether the last one used is the wanted one.
+  [[nodiscard]] bool settled() const { return used_ == wanted_; }
+
   // Makes the wanted program the current one; if that would mean to wait and patient is false, the last one used.
   // Returns the one in use.
   Program& use(bool patient);

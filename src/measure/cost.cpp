@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "passes/node_meshes.hpp"
 #include "planet/icosphere_groups.hpp"
+#include "planet/mirror.hpp"
 #include "planet/node_grids.hpp"
 
 namespace terrella {
@@ -52,8 +53,8 @@ class Sum {
   Cost& cost_;
 };
 
-// As many as are kept could be drawn, each as ground and as sea: by one call for each list of triangles, and of deep
-// sea with waves for each level of detail.
+// As many as are kept could be drawn, each as ground, as sea and in its mirror: by one call for each list of triangles,
+// and of deep sea with waves for each level of detail.
 void add_nodes(Sum& sum, const Needs& needs) {
   for (const char* name : {"ground/nodes", "ground/nodes_in_water", "ground/nodes_in_waves"}) sum.program(name);
   const NodePatch patch = patch_of(needs.ground, needs.ground_cells);
@@ -62,7 +63,7 @@ void add_nodes(Sum& sum, const Needs& needs) {
   const std::int64_t room = node_room(static_cast<int>(vertices));
   // Beside a grid around the eye there is room for the next.
   const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
-  const int layers = needs.water != Water::none ? 2 : 1;
+  const int layers = needs.mirrors_land ? 3 : needs.water != Water::none ? 2 : 1;
   const int of_deep_sea = needs.water == Water::none ? 0 : needs.water == Water::waves ? deepest_level + 1 : 1;
   sum.draw(layers * room * triangles, static_cast<int>(lists) * layers + of_deep_sea);
   for (int n = 0; n < kept; ++n) {
@@ -79,7 +80,8 @@ void add_ground(Sum& sum, const Needs& needs) {
     sum.program(name);
     sum.program(text_of(name, "_in_water"));
   }
-  sum.draw(triangles_of(needs.ground_level));
+  const int times = needs.mirrors_land ? 2 : 1;
+  sum.draw(times * triangles_of(needs.ground_level), times);
   sum.mesh(needs.ground_level);
   sum.mesh(coarse_level);
   sum.cube(needs.ground_texels, 8);
@@ -91,7 +93,7 @@ void add_water(Sum& sum, const Needs& needs) {
   if (needs.in_water) sum.draw(2, 2);
   if (has_nodes(needs.ground)) {
     for (const char* name : {"water/calm", "water/rippled", "water/waves"}) {
-      for (const char* seen : {"_nodes", "_nodes_in_water", "_deep_nodes", "_deep_nodes_mirror"})
+      for (const char* seen : {"_nodes", "_nodes_in_water", "_deep_nodes", "_deep_nodes_cloudy", "_deep_nodes_land"})
         sum.program(text_of(name, seen));
     }
     constexpr std::int64_t wave_list = 16'384;  // two of the short waves, one of a hundred long ones
@@ -140,6 +142,14 @@ void add_shells(Sum& sum, const Needs& needs) {
   }
 }
 
+// The picture of land that the water mirrors, which there is whether or not it shows any.
+void add_mirror(Sum& sum, const Needs& needs, const View& view) {
+  const View mirror = needs.mirrors_land ? mirror_view(view) : View{1, 1};
+  const std::int64_t pixels = std::int64_t{mirror.width} * mirror.height;
+  sum.texels(pixels * 4 / 3 + 1, 8);
+  sum.texels(pixels, 4);
+}
+
 // A grid around the eye gives way to the next in pictures for which all is drawn twice.
 void add_fade(Cost& cost, std::int64_t target_bytes) {
   cost.programs.emplace_back("picture/overlay");
@@ -162,6 +172,7 @@ Cost promised_cost(const Needs& needs, const View& view, int bytes_a_pixel) {
   if (needs.clouds != Clouds::none) add_clouds(sum, needs);
   add_sky(sum, needs);
   add_shells(sum, needs);
+  add_mirror(sum, needs, view);
   // Spheres of directions are kept once made, whoever asked for them; the finest are of level 6.
   for (int level = group_level; level <= 6; ++level) sum.mesh(level);
   sum.cube(1, 8);
@@ -173,6 +184,8 @@ Cost promised_cost(const Needs& needs, const View& view, int bytes_a_pixel) {
   const int layers = needs.pixel_octaves_end - needs.pixel_octaves_first + needs.ripple_layers + needs.cloud_pixel_end -
                      needs.cloud_pixel_first;
   cost.noise_evaluations = pixels * layers;
+  // A quarter as many pixels show ground in a mirror.
+  if (needs.mirrors_land) cost.noise_evaluations += pixels * (needs.pixel_octaves_end - needs.pixel_octaves_first) / 4;
   if (needs.ground == Ground::persistent_grid) add_fade(cost, pixels * (bytes_a_pixel + depth_bytes));
   return cost;
 }

@@ -119,7 +119,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   // be, and dimmer for it.
   block.fineness = glm::vec4(footprint_of_pixel(scene), scene.quality.ground_texel_size, std::max(view.scale, 1.0),
                              std::pow(std::min(view.scale, 1.0), 2.0));
-  block.depth = glm::vec4(depths.far_plane, depths.log_factor, pose.near, 0.0);
+  block.depth = glm::vec4(depths.far_plane, depths.log_factor, pose.near, mirror != nullptr ? mirror->climb : 0.0);
   block.lens = vector(lens_above_water(pose), std::max(water_radius(scene) - glm::length(pose.eye), 0.0));
   if (mirror != nullptr) {
     block.mirror_from_eye = clip_in_mirror(*mirror);

@@ -33,8 +33,9 @@ class GroundPass {
   virtual void bind_map(double) {}
 
   virtual void draw(const Frame& frame) = 0;
-  // Whether any of it may stand in the water's mirror.
-  [[nodiscard]] virtual bool is_mirrored() const { return true; }
+  // How steeply, at the most, an eye as far below the water as the true one is above looks up to any of it: the sine; 0
+  // where there is nothing to look up to.
+  [[nodiscard]] virtual double mirrored_climb() const { return 1.0; }
 
   // Where the surface lies that is drawn, over each group of the icosphere; empty where that is not known.
   [[nodiscard]] virtual std::span<const RadiusRange> ranges() const { return {}; }

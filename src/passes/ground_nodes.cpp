@@ -19,7 +19,7 @@ void GroundNodes::draw(const Frame& frame) {
   nodes(frame.ground_shown)->draw(frame, program, frame.is_mirror ? NodeLayer::mirrored : NodeLayer::ground);
 }
 
-bool GroundNodes::is_mirrored() const { return nodes(GroundShown::now)->are_mirrored(); }
+double GroundNodes::mirrored_climb() const { return nodes(GroundShown::now)->mirrored_climb(); }
 
 void GroundFixedGrid::update(const Frame& frame) {
   if (!grid_) grid_ = grid_of(technique_, frame.scene, frame.pose);

@@ -14,7 +14,7 @@ class GroundNodes : public GroundPass {
   void want(const Needs& needs) override;
   bool ready() override { return program_.ready(); }
   void draw(const Frame& frame) override;
-  [[nodiscard]] bool is_mirrored() const override;
+  [[nodiscard]] double mirrored_climb() const override;
 
  private:
   gl::ProgramChoice program_{"ground/nodes"};

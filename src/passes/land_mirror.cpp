@@ -8,6 +8,7 @@ namespace terrella {
 LandMirror::LandMirror() { clear(); }
 
 void LandMirror::clear() {
+  if (land_ && land_->image().width() == 1) return;
   begin_light_target(land_, 1, 1, gl::Format::rgba16f, 0.0F, gl::Depth::read);
   end();
 }

@@ -131,6 +131,7 @@ void NodeMeshes::pack(const Frame& frame) {
   const auto& terrain = frame.scene.terrain;
   const double sea_level = water_level(frame.scene) / frame.scene.planet.radius;
   instances_.clear();
+  mirrored_climb_ = 0.0;
   const int beyond_map = first_layer(frame.scene);
   if (!details_) details_ = details_of(frame.scene, *grid_, patch_.cells);
   const auto add = [&](const DrawnNode& drawn) {
@@ -148,17 +149,19 @@ void NodeMeshes::pack(const Frame& frame) {
     instances_.push_back(vector((1.0 + sea_level) * middle - frame.pose.eye, base - sea_level));
     instances_.emplace_back(drawn.coarser, held, std::pow(terrain.persistence, held), spacing);
   };
-  const auto has = [&](NodeLayer layer, const DrawnNode& drawn) {
-    const NodeCache::Entry& entry = cache_.at(drawn.slot);
-    return shows(layer, entry.frame, details_->at(static_cast<std::size_t>(entry.node.level)), sight_);
+  const auto detail_of = [&](const NodeCache::Entry& entry) {
+    return details_->at(static_cast<std::size_t>(entry.node.level));
   };
   for (const NodeLayer layer : {NodeLayer::ground, NodeLayer::sea, NodeLayer::deep_sea, NodeLayer::mirrored}) {
     auto& runs = runs_.at(static_cast<std::size_t>(layer));
     runs.clear();
     order_.clear();
     for (const DrawnNode& drawn : drawn_as(layer)) {
-      if (!has(layer, drawn)) continue;
-      order_.push_back({list_of(patch_, drawn, layer), cache_.at(drawn.slot).node.level, drawn});
+      const NodeCache::Entry& entry = cache_.at(drawn.slot);
+      if (!shows(layer, entry.frame, detail_of(entry), sight_)) continue;
+      order_.push_back({list_of(patch_, drawn, layer), entry.node.level, drawn});
+      if (layer == NodeLayer::mirrored)
+        mirrored_climb_ = std::max(mirrored_climb_, terrella::mirrored_climb(entry.frame, detail_of(entry), sight_));
     }
     const bool by_level = layer == NodeLayer::deep_sea && frame.needs.water == Water::waves;
     // Nearest first, as they were, but for that.

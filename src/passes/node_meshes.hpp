@@ -45,8 +45,8 @@ class NodeMeshes {
   using OfLevel = std::function<void(double spacing)>;
   void draw(const Frame& frame, const gl::Program& program, NodeLayer layer, const OfLevel& of_level = {}) const;
 
-  // Whether any land stands in the mirror of the sea.
-  [[nodiscard]] bool are_mirrored() const { return !runs_.at(static_cast<std::size_t>(NodeLayer::mirrored)).empty(); }
+  // As of GroundPass.
+  [[nodiscard]] double mirrored_climb() const { return mirrored_climb_; }
 
   // Whether nothing is missing that there is room for.
   [[nodiscard]] bool settled() const { return !choice_.lacks || is_full_; }
@@ -101,6 +101,7 @@ class NodeMeshes {
     DrawnNode drawn;
   };
   std::vector<InOrder> order_;
+  double mirrored_climb_ = 0.0;
   bool is_full_ = false;
   std::int64_t noise_evaluations_ = 0;
 };

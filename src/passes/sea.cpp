@@ -57,11 +57,16 @@ void SeaPass::want(const Needs& needs) {
                                                       : "water/calm";
   const char* seen_from = needs.in_water ? "_in_water" : "";
   if (over_nodes) {
-    deep_program_->want(name +
-                        (needs.clouds != Clouds::none || needs.mirrors_land ? "_deep_nodes_mirror" : "_deep_nodes"));
+    const char* mirrors = mirrors_land_ ? "_land" : needs.clouds != Clouds::none ? "_cloudy" : "";
+    deep_program_->want(name + "_deep_nodes" + mirrors);
     return program_->want(name + (needs.ground_mapped ? "_nodes_mapped" : "_nodes") + seen_from);
   }
   program_->want(name + (refines_ground(needs) ? "_near" : "") + seen_from);
+}
+
+void SeaPass::mirror_land(const Needs& needs, bool mirrors_land) {
+  mirrors_land_ = mirrors_land;
+  want(needs);
 }
 
 void SeaPass::draw(const Frame& frame, const GroundPass* ground) {

@@ -16,10 +16,16 @@ class SeaPass {
   // technique: calm or waves.
   SeaPass(Water technique, SphereMeshes& spheres);
 
-  // Starts to compile the program that the needs call for.
+  // Starts to compile the program that the needs call for, where land stands in the water's mirror as in the last
+  // frame.
   void want(const Needs& needs);
+  // Says whether it does in this one.
+  void mirror_land(const Needs& needs, bool mirrors_land);
   // True once drawing will not wait for it.
   bool ready() { return program_->ready() && (!deep_program_ || deep_program_->ready()); }
+
+  // Whether it was drawn as its last wish was.
+  [[nodiscard]] bool settled() const { return program_->settled() && (!deep_program_ || deep_program_->settled()); }
 
   // Tells the waves of a frame to whatever is drawn in it.
   void set_waves(const Frame& frame);
@@ -35,7 +41,7 @@ class SeaPass {
   SphereMeshes& spheres_;
   std::optional<gl::ProgramChoice> program_;
   std::optional<gl::ProgramChoice> deep_program_;  // over nodes whose ground is not seen
-  bool over_nodes_ = false;
+  bool over_nodes_ = false, mirrors_land_ = false;
   gl::UniformBuffer waves_;
   WaveLists short_waves_;
 };

@@ -17,8 +17,10 @@ constexpr double fineness = 0.5;
 
 }  // namespace
 
+View mirror_view(const View& view) { return drawn_at(whole_of(view), fineness, most); }
+
 Mirror mirror_of(const Scene& scene, const Pose& pose, const View& view) {
-  Mirror mirror = {drawn_at(whole_of(view), fineness, most), pose, glm::length(pose.eye) - water_radius(scene)};
+  Mirror mirror = {mirror_view(view), pose, glm::length(pose.eye) - water_radius(scene)};
   const glm::dvec3 plumb = glm::normalize(pose.eye);
   const auto mirrored = [&](const glm::dvec3& axis) { return axis - 2.0 * glm::dot(axis, plumb) * plumb; };
   mirror.pose.forward = mirrored(pose.forward);

@@ -11,12 +11,14 @@ namespace terrella {
 // The picture of it. It stands on its head: what water at a pixel mirrors while it is still lies at the same place of
 // this picture, counted from the other end.
 struct Mirror {
-  View view;      // of all of the picture that it belongs to, of fewer pixels
-  Pose pose;      // the true eye, looking along the directions of the mirrored one
-  double height;  // of the eye over the still water
+  View view;           // of all of the picture that it belongs to, of fewer pixels
+  Pose pose;           // the true eye, looking along the directions of the mirrored one
+  double height;       // of the eye over the still water
+  double climb = 1.0;  // sine of how steeply the mirrored eye looks up to land, at the most
 };
 
 // Half as fine as the picture: water is never as smooth as a mirror.
+View mirror_view(const View& view);
 Mirror mirror_of(const Scene& scene, const Pose& pose, const View& view);
 
 // From positions relative to the true eye to the mirror's clip space, of which z is left to who draws.

@@ -156,7 +156,8 @@ class Choice {
 
   [[nodiscard]] bool is_seen(const NodeCache::Entry& entry) const {
     const NodeFrame& frame = entry.frame;
-    return is_near_enough(frame) && (is_in_picture(sight_, frame, 0.0) || is_in_mirror(sight_, frame)) &&
+    return is_near_enough(frame) &&
+           (is_in_picture(sight_, frame, 0.0) || is_in_mirror(sight_, frame, 1.0 + frame.heights.highest)) &&
            !behind_horizon(frame, 1.0);
   }
 
@@ -194,9 +195,10 @@ bool is_in_picture(const NodeSight& sight, const NodeFrame& node, double aside) 
   return is_between(sight.sides, sight, node, sight.sea_swell + aside * distance);
 }
 
-bool is_in_mirror(const NodeSight& sight, const NodeFrame& node) {
-  return sight.mirror_sides && 1.0 + node.heights.highest > sight.sea &&
-         is_between(*sight.mirror_sides, sight, node, sight.mirror_depth);
+bool is_in_mirror(const NodeSight& sight, const NodeFrame& node, double highest) {
+  if (!sight.mirror) return false;
+  const double pixel = sight.mirror->pixel * nearest_to(node.outline, glm::normalize(sight.eye));
+  return highest > sight.sea + pixel && is_between(sight.mirror->sides, sight, node, 2.0 * sight.mirror->height);
 }
 
 NodeDistance distance_of(const NodeOutline& node, const NodeEye& eye, double widest) {

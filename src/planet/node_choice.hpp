@@ -37,8 +37,8 @@ void choose_nodes(const NodeGrid& grid, const NodeSight& sight, const NodeEye& e
 
 // Whether a node is in the picture, or so far (rad) beside it.
 bool is_in_picture(const NodeSight& sight, const NodeFrame& node, double aside);
-// Whether any of it stands in the mirror of the sea.
-bool is_in_mirror(const NodeSight& sight, const NodeFrame& node);
+// Whether any of it stands in the mirror of the sea, at least a pixel high. highest: radius that it reaches.
+bool is_in_mirror(const NodeSight& sight, const NodeFrame& node, double highest);
 
 // How far a node is from the eye, as NodeEye counts.
 struct NodeDistance {

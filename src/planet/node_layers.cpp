@@ -1,6 +1,7 @@
 #include "planet/node_layers.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -39,8 +40,8 @@ NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pos
   }
   if (needs.mirrors_land) {
     const Mirror mirror = mirror_of(scene, pose, view);
-    sight.mirror_sides = node_sight(mirror.pose, mirror.view, {0, mirror.view.height}, 0.0).sides;
-    sight.mirror_depth = 2.0 * mirror.height;
+    const auto sides = node_sight(mirror.pose, mirror.view, {0, mirror.view.height}, 0.0).sides;
+    sight.mirror = {sides, mirror.height, mirror.pose.pixel_angle};
   }
   return sight;
 }
@@ -56,19 +57,23 @@ NodeDetails details_of(const Scene& scene, const NodeGrid& grid, int cells) {
 
 namespace {
 
-// Nothing of its ground is seen, unless a hill stands there that is one of ten thousand.
-bool is_deep(const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight) {
+// The highest of its ground that a picture shows, unless a hill stands there that is one of ten thousand.
+double highest_shown(const NodeFrame& node, const NodeDetail& detail) {
   constexpr double deviations = 4.0;
-  const double highest = 1.0 + std::min(node.shown.highest + deviations * detail.unseen, node.heights.highest);
-  return !node.may_freeze && highest < sight.sea - sight.sea_hides;
+  return 1.0 + std::min(node.shown.highest + deviations * detail.unseen, node.heights.highest);
+}
+
+// Nothing of its ground is seen.
+bool is_deep(const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight) {
+  return !node.may_freeze && highest_shown(node, detail) < sight.sea - sight.sea_hides;
 }
 
 }  // namespace
 
 bool shows(NodeLayer layer, const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight) {
-  if (layer == NodeLayer::mirrored) return is_in_mirror(sight, node);
+  if (layer == NodeLayer::mirrored) return is_in_mirror(sight, node, highest_shown(node, detail));
   // Else all that was chosen is in it.
-  if (sight.mirror_sides && !is_in_picture(sight, node, 0.0)) return false;
+  if (sight.mirror && !is_in_picture(sight, node, 0.0)) return false;
   const bool water = sight.sea > 0.0;
   if (layer == NodeLayer::ground) {
     const double lowest_sea = sight.sea * (1.0 - detail.spacing * detail.spacing / 8.0);
@@ -80,6 +85,11 @@ bool shows(NodeLayer layer, const NodeFrame& node, const NodeDetail& detail, con
   if (layer == NodeLayer::deep_sea) return is_deep(node, detail, sight);
   // By what is drawn: sea has the same vertices, only on its sphere.
   return !is_deep(node, detail, sight) && 1.0 + node.shown.lowest <= sight.top_of_sea(node.outline);
+}
+
+double mirrored_climb(const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight) {
+  const double climb = highest_shown(node, detail) - sight.sea + sight.mirror->height;
+  return climb / std::hypot(climb, nearest_to(node.outline, glm::normalize(sight.eye)));
 }
 
 unsigned list_of(const NodePatch& patch, const DrawnNode& drawn, NodeLayer layer) {

@@ -35,6 +35,10 @@ NodeDetails details_of(const Scene& scene, const NodeGrid& grid, int cells);
 // its level. sight: as of sight_of_nodes.
 bool shows(NodeLayer layer, const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight);
 
+// How steeply, at the most, an eye as far below the sea as the true one is above looks up to a node: the sine. sight:
+// of a sea that mirrors land.
+double mirrored_climb(const NodeFrame& node, const NodeDetail& detail, const NodeSight& sight);
+
 // The list of triangles that a node's layer is drawn with. Deep sea has every second vertex: it has no ground to carry.
 unsigned list_of(const NodePatch& patch, const DrawnNode& drawn, NodeLayer layer);
 

@@ -23,9 +23,13 @@ struct NodeSight {
   double sea_hides = 0.0;                                     // depth of the ground from which nothing of it is seen
   double farthest = std::numeric_limits<double>::infinity();  // from where nothing is seen
   double sea_swell = 0.0;  // by how much waves raise it, or move it aside, at the most
-  // As sides, of what the sea mirrors; none where it mirrors no land. They go through the mirrored eye: so far below.
-  std::optional<std::array<glm::dvec3, 4>> mirror_sides = std::nullopt;
-  double mirror_depth = 0.0;
+  // What the sea mirrors, if it mirrors land.
+  struct MirrorSight {
+    std::array<glm::dvec3, 4> sides;  // as those of the picture
+    double height;  // of the eye over the sea: the mirrored one, through which the sides go, is as far below
+    double pixel;   // rad
+  };
+  std::optional<MirrorSight> mirror = std::nullopt;
 
   // Radius of the highest sea over a node.
   [[nodiscard]] double top_of_sea(const NodeOutline& node) const;

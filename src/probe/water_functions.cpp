@@ -185,11 +185,34 @@ Function water_light_below() {
   return function_of(f);
 }
 
+Function altitude_seen() {
+  Formula f;
+  f.name = "altitude_seen";
+  f.args = {{"r", Kind::number, "", {0.5, 2.0}},
+            {"alt", Kind::number, "", {1e-9, 1.0}},
+            {"cosine", Kind::number, "", components},
+            {"distance", Kind::number, "", {1e-9, 1.0}}};
+  f.outputs = {{"altitude", 0}};
+  f.made_from = [](std::span<const double> numbers) { return numbers[1] + numbers[3]; };
+  return function_of(f);
+}
+
+Function way_in_mirror() {
+  Formula f;
+  f.name = "way_in_mirror";
+  f.args = {{"r", Kind::number, "", {0.5, 2.0}},
+            {"alt", Kind::number, "", {1e-9, 1.0}},
+            {"cosine", Kind::number, "", components},
+            {"rise", Kind::number, "", components}};
+  f.outputs = {{"way", 0}};
+  return function_of(f);
+}
+
 }  // namespace
 
 std::vector<Function> water_functions() {
-  return {glitter(),       refracted_ray(), light_through(),    water_light(),
-          through_water(), ray_above(),     water_light_below()};
+  return {glitter(),   refracted_ray(),     light_through(), water_light(),  through_water(),
+          ray_above(), water_light_below(), altitude_seen(), way_in_mirror()};
 }
 
 }  // namespace terrella::probe

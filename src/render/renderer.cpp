@@ -34,8 +34,10 @@ double planet_pixels(const View& view, const Pose& pose) {
 // places of theirs, and what lies under them one more for its shade.
 int reads_a_pixel(const Needs& needs, const Scene& scene) {
   const int surface = needs.water != Water::none ? 2 : needs.ground != Ground::none ? 1 : 0;
-  if (needs.clouds == Clouds::none) return surface;
-  return surface + 2 + (surface > 0 && scene.clouds.shadow > 0.0 ? 1 : 0);
+  // How far land in the mirror is in three places, and its light in four.
+  const int mirrored = needs.mirrors_land ? 7 : 0;
+  if (needs.clouds == Clouds::none) return surface + mirrored;
+  return surface + mirrored + 2 + (surface > 0 && scene.clouds.shadow > 0.0 ? 1 : 0);
 }
 
 // To fit a pixel of light to the screen, and to look whether it and its neighbours are an edge.
@@ -153,13 +155,16 @@ void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
   update_slots(frame_of({0, view.height}));
   if (ground_ && ground_->is_coarse()) pose_ = pose_over_coarse_ground(scene, view);
   draw_mirror();
+  if (water_) water_->mirror_land(needs_, begun_->mirror.has_value());
   begin_light(view, shot);
 }
 
 void Renderer::draw_mirror() {
   if (!needs_.mirrors_land) return land_mirror_.clear();
-  if (!ground_->is_mirrored() || begun_->shot.channel != Channel::color) return;
+  const double climb = ground_->mirrored_climb();
+  if (climb <= 0.0 || begun_->shot.channel != Channel::color) return;
   begun_->mirror = mirror_of(begun_->scene, pose_, begun_->view);
+  begun_->mirror->climb = climb;
   const Mirror& mirror = *begun_->mirror;
   const Frame frame = {begun_->scene, mirror.view,      mirror.pose, needs_,
                        begun_->sea,   Channel::color,   effort_,     {0, mirror.view.height},
@@ -233,8 +238,8 @@ void Renderer::draw_light(const Frame& frame) {
 }
 
 bool Renderer::refine(const Scene& scene, const View& view) {
-  if (part_before() > 0.0) return true;
-  const std::bitset<4> before = settled_slots();
+  if (part_before() > 0.0 || (water_ && !water_->settled() && water_->ready())) return true;
+  const std::bitset<5> before = settled_slots();
   const Sea sea = make_sea(scene, view.seconds);
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
   update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live, {0, view.height}});
@@ -265,7 +270,9 @@ void Renderer::update_slots(const Frame& frame) {
                         needs_.cloud_pixel_first;
   const double times_drawn = part_before() > 0.0 ? 2.0 : 1.0;
   const double planet = times_drawn * planet_pixels(frame.view, frame.pose);
-  noise_evaluations_ += static_cast<std::int64_t>(planet * per_pixel);
+  // Ground in the mirror has a quarter of the pixels.
+  const double in_mirror = needs_.mirrors_land ? 0.25 * (needs_.pixel_octaves_end - needs_.pixel_octaves_first) : 0.0;
+  noise_evaluations_ += static_cast<std::int64_t>(planet * (per_pixel + in_mirror));
   const double all = static_cast<double>(frame.view.width) * frame.view.height;
   const int smoothing = frame.scene.quality.antialias ? reads_to_smooth : 0;
   texture_reads_ =
@@ -309,12 +316,13 @@ void Renderer::show(const gl::Screen& screen, bool antialias) {
 
 bool Renderer::whole() const { return !only_air_ && (!stars_ || stars_->settled()) && picture_.settled(); }
 
-std::bitset<4> Renderer::settled_slots() const {
-  std::bitset<4> settled;
+std::bitset<5> Renderer::settled_slots() const {
+  std::bitset<5> settled;
   settled[0] = !night_ || night_->settled();
   settled[1] = !sun_ || sun_->settled();
   settled[2] = !ground_ || ground_->settled();
   settled[3] = !clouds_ || clouds_->settled();
+  settled[4] = !water_ || water_->settled();
   return settled;
 }
 

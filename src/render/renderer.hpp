@@ -92,7 +92,7 @@ class Renderer {
   // Builds what the needs call for.
   void choose_techniques(Effort effort);
   // Which of the slots that refine what they show lack nothing.
-  [[nodiscard]] std::bitset<4> settled_slots() const;
+  [[nodiscard]] std::bitset<5> settled_slots() const;
   // Which part of it is ready.
   double ready();
   void update_slots(const Frame& frame);

@@ -378,7 +378,7 @@ TEST(Pictures, WithManySamplesAgreeWithOneSample) {
 
 TEST(Pictures, DrawnInTilesAreThoseDrawnAtOnce) {
   Studio studio;
-  for (const char* name : {"temperate", "storm", "rings"}) {
+  for (const char* name : {"temperate", "storm", "rings", "fjords"}) {
     Scene scene = find_preset(name)->scene;
     for (const bool alone : {false, true}) {
       StillOptions whole = small(), tiled = small();

@@ -89,5 +89,25 @@ TEST(CellsOfNodes, AreTheSameForPicturesOfAnySize) {
   }
 }
 
+// Where its land can be seen in it: from near, from over the water, and with a law of reflection.
+TEST(Water, MirrorsLandWhereThatIsSeen) {
+  const auto mirrors = [](const Scene& scene) {
+    const View view;
+    return needs_of(scene, view, pose_of(scene, view)).mirrors_land;
+  };
+  Scene scene = find_preset("fjords")->scene;
+  EXPECT_TRUE(mirrors(scene));
+  scene.water.shading = 1;
+  EXPECT_FALSE(mirrors(scene));
+  scene.water.shading = 0;
+  scene.camera.altitude = 2e6;
+  EXPECT_FALSE(mirrors(scene));
+  scene.camera.altitude = scene.water.level - 5.0;
+  EXPECT_TRUE(mirrors(scene));
+  scene.water.dive = true;
+  EXPECT_FALSE(mirrors(scene));
+  EXPECT_FALSE(mirrors(find_preset("temperate")->scene));  // a miniature from afar
+}
+
 }  // namespace
 }  // namespace terrella

@@ -362,12 +362,12 @@ describe('the page', () => {
   };
 
   test('shows the presets in pictures, drawn once their list is open', async () => {
-    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 1220 } });
+    const page = await open('?pause=1&quality.resolution_scale=0.25', { viewport: { width: 800, height: 1260 } });
     const textures = () => page.evaluate(() => terrella.stats().textures);
     await sleep(500);
     const before = await textures();
     await press(page, 100, 51);
-    await until(page, count => terrella.stats().textures === count + 28, before);
+    await until(page, count => terrella.stats().textures === count + 29, before);
     await sleep(500);
     const dusk = await look(page, undefined, { x: 24, y: 230, width: 64, height: 36 });
     assert.ok(dusk.colors > 200, JSON.stringify(dusk));

@@ -1,5 +1,5 @@
-// The same under clouds.
-#include "rippled_water.glsl"
+// The same where land stands in its mirror.
+#include "smooth_water.glsl"
 #include "deep_nodes.glsl"
 #include "water_from_air.glsl"
 #include "mirror_of_land.glsl"

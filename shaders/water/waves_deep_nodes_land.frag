@@ -1,4 +1,4 @@
-// The same under clouds.
+// The same where land stands in its mirror.
 #include "deep_nodes.glsl"
 #include "wavy_nodes.glsl"
 #include "no_felt_ground.glsl"

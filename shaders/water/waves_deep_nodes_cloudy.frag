@@ -1,0 +1,9 @@
+// The same under clouds.
+#include "deep_nodes.glsl"
+#include "wavy_nodes.glsl"
+#include "no_felt_ground.glsl"
+#include "water_from_air.glsl"
+#include "mirror_of_clouds.glsl"
+
+// No surf.
+FoamLace foam_lace(float footprint) { return no_lace(); }

@@ -1,0 +1,107 @@
+#include "planet/mirror.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "formulas/formulas.hpp"
+#include "laws/random_places.hpp"
+#include "planet/spheres.hpp"
+#include "scene/presets.hpp"
+
+namespace terrella {
+namespace {
+
+Scene fjords() { return find_preset("fjords")->scene; }
+
+// The place of a picture, -1..1 from the middle, where something from the eye is seen.
+glm::dvec2 seen_at(const glm::mat4& clip, const glm::dvec3& from_eye) {
+  const glm::vec4 place = clip * glm::vec4(from_eye, 1.0);
+  return glm::dvec2(place) / double{place.w};
+}
+
+TEST(Mirror, ShowsWaterWhereThePictureDoesStandingOnItsHead) {
+  Scene scene = fjords();
+  scene.camera.pitch = -20.0;
+  scene.camera.roll = 10.0;
+  const View view;
+  const Pose pose = pose_of(scene, view);
+  const Mirror mirror = mirror_of(scene, pose, view);
+  EXPECT_EQ(mirror.view.width, view.width / 2);
+  EXPECT_NEAR(mirror.height * scene.planet.radius, 15.0, 1e-6);
+  const glm::mat4 clip = clip_from_eye(pose, view, depth_scheme(pose, true)), mirrored = clip_in_mirror(mirror);
+  for (double y = 400.0; y < 720.0; y += 50.0) {
+    for (double x = 0.0; x <= 1280.0; x += 320.0) {
+      const glm::dvec3 ray = ray_through(pose, view, {x, y});
+      const glm::dvec3 water = ray * (mirror.height / -glm::dot(ray, glm::normalize(pose.eye)));
+      const glm::dvec2 there = seen_at(mirrored, water), here = seen_at(clip, water);
+      EXPECT_NEAR(there.x, here.x, 1e-5);
+      EXPECT_NEAR(there.y, -here.y, 1e-5);
+    }
+  }
+}
+
+// What a ray from the water meets lies on the straight line from the mirrored eye through that place.
+TEST(Mirror, ShowsAlongARayWhatStillWaterMirrors) {
+  const Scene scene = fjords();
+  const View view;
+  const Pose pose = pose_of(scene, view);
+  const Mirror mirror = mirror_of(scene, pose, view);
+  const glm::mat4 mirrored = clip_in_mirror(mirror);
+  const glm::dvec3 plumb = glm::normalize(pose.eye);
+  const glm::dvec3 ray = ray_through(pose, view, {900.0, 500.0});
+  const glm::dvec3 water = ray * (mirror.height / -glm::dot(ray, plumb));
+  for (const double way : {0.0, 1e-6, 1e-4, 0.01}) {
+    const glm::dvec2 there = seen_at(mirrored, water + way * glm::reflect(ray, plumb));
+    EXPECT_NEAR(there.x, seen_at(mirrored, water).x, 1e-5) << way;
+    EXPECT_NEAR(there.y, seen_at(mirrored, water).y, 1e-5) << way;
+  }
+}
+
+TEST(Mirror, IsThatOfAllThePictureInEachOfItsTiles) {
+  const Scene scene = fjords();
+  View whole, tile;
+  whole.whole = tile.whole = {1280, 720, 1.0};
+  tile.width = 300;
+  tile.height = 200;
+  tile.field = 200.0 / 720.0;
+  tile.shift = {490.0, -260.0};
+  const glm::mat4 of_whole = clip_in_mirror(mirror_of(scene, pose_of(scene, whole), whole));
+  const glm::mat4 of_tile = clip_in_mirror(mirror_of(scene, pose_of(scene, tile), tile));
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) EXPECT_NEAR(of_whole[column][row], of_tile[column][row], 1e-6);
+  }
+}
+
+TEST(AltitudeSeen, IsThatOfThePlace) {
+  test::Places places(57U);
+  for (int i = 0; i < 10'000; ++i) {
+    const double r = places.between(0.5, 2.0), alt = std::pow(10.0, places.between(-6.0, 0.0));
+    const glm::dvec3 eye = (r + alt) * places.on_sphere();
+    const glm::dvec3 offset = std::pow(10.0, places.between(-6.0, 0.0)) * places.on_sphere();
+    const double climb = glm::dot(offset, glm::normalize(eye));
+    const double altitude = f64::altitude_seen(r, alt, climb, glm::dot(offset, offset));
+    ASSERT_NEAR(altitude, glm::length(eye + offset) - r, 1e-14);
+  }
+}
+
+// Of a place that the mirrored eye sees: from how steep it is, and its height.
+TEST(WayInMirror, IsTheDistanceOfThePlace) {
+  test::Places places(58U);
+  for (int i = 0; i < 10'000; ++i) {
+    const double r = 1.0, alt = std::pow(10.0, places.between(-7.0, -4.0));
+    const double way = std::min(alt * std::pow(10.0, places.between(0.1, 3.0)), 0.02),
+                 climb = places.between(0.01, 0.9);
+    const glm::dvec3 mirrored(0.0, 0.0, r - alt), ray(std::sqrt(1.0 - climb * climb), 0.0, climb);
+    const double height = glm::length(mirrored + way * ray) - r;
+    const double found = f64::way_in_mirror(r, alt, climb, height / way);
+    ASSERT_NEAR(found / way, 1.0, 0.01) << alt << ' ' << way << ' ' << climb;
+  }
+}
+
+}  // namespace
+}  // namespace terrella
