@@ -13,7 +13,8 @@ float altitude_seen(float r, float alt, float climb, float square) {
 float way_in_mirror(float r, float alt, float cosine, float rise) {
   float steeper = cosine - rise;
   float fall = (1.0 - cosine) * (1.0 + cosine) / r;
-  return 2.0 * alt / max(steeper + sqrt(steeper * steeper + 2.0 * alt * fall), 1.0e-9);
+  float root = sqrt(steeper * steeper + 2.0 * alt * fall);
+  return steeper > 0.0 ? 2.0 * alt / (steeper + root) : (root - steeper) / max(fall, 1.0e-9);
 }
 
 // Standard deviation (rad) of how high slopes that are not shown throw rays along the water: of those that face the eye (a Rayleigh

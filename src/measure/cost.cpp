@@ -172,7 +172,7 @@ Cost promised_cost(const Needs& needs, const View& view, int bytes_a_pixel) {
   if (needs.clouds != Clouds::none) add_clouds(sum, needs);
   add_sky(sum, needs);
   add_shells(sum, needs);
-  add_mirror(sum, needs, view);
+  if (needs.water != Water::none) add_mirror(sum, needs, view);
   // Spheres of directions are kept once made, whoever asked for them; the finest are of level 6.
   for (int level = group_level; level <= 6; ++level) sum.mesh(level);
   sum.cube(1, 8);

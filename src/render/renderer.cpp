@@ -125,6 +125,8 @@ void Renderer::choose_techniques(Effort effort) {
   if (may_fade && !fade_) fade_.emplace();
   // Kept as long as there is water: waves may pass over the lens again and again.
   if (needs_.water == Water::none) backdrop_.reset();
+  if (needs_.water == Water::none) land_mirror_.reset();
+  if (needs_.water != Water::none && !land_mirror_) land_mirror_.emplace();
   if (needs_.in_water && !backdrop_) backdrop_.emplace();
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
@@ -160,7 +162,8 @@ void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
 }
 
 void Renderer::draw_mirror() {
-  if (!needs_.mirrors_land) return land_mirror_.clear();
+  if (!land_mirror_) return;
+  if (!needs_.mirrors_land || !ground_) return land_mirror_->clear();
   const double climb = ground_->mirrored_climb();
   if (climb <= 0.0 || begun_->shot.channel != Channel::color) return;
   begun_->mirror = mirror_of(begun_->scene, pose_, begun_->view);
@@ -170,10 +173,10 @@ void Renderer::draw_mirror() {
                        begun_->sea,   Channel::color,   effort_,     {0, mirror.view.height},
                        nullptr,       GroundShown::now, &mirror,     true};
   set_maps(frame);
-  land_mirror_.begin(mirror);
+  land_mirror_->begin(mirror);
   draw_opaque();
   ground_->draw(frame);
-  land_mirror_.end();
+  land_mirror_->end();
 }
 
 Frame Renderer::frame_of(const Rows& rows) const {
@@ -295,7 +298,7 @@ void Renderer::set_maps(const Frame& frame) {
   } else {
     no_clouds_.bind(gl::unit_clouds);
   }
-  if (!frame.is_mirror) land_mirror_.bind();
+  if (land_mirror_ && !frame.is_mirror) land_mirror_->bind();
   const FrameBlock block = frame_block(frame, maps);
   frame_buffer_.set(gl::block_frame, std::as_bytes(std::span(&block, 1)));
 }

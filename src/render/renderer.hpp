@@ -125,7 +125,7 @@ class Renderer {
   Slot<NightSide, NightLights> night_;
   Slot<SunImage, SunDisc> sun_;
   Slot<Rings, RingsPlane> rings_;
-  LandMirror land_mirror_;
+  std::optional<LandMirror> land_mirror_;  // where there is water
   std::optional<WaterBackdrop> backdrop_;  // from when the eye has been under water
   PicturePass picture_;
   std::unique_ptr<gl::Target> light_;

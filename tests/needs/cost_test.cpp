@@ -61,7 +61,7 @@ const Case cases[] = {
     {"sun beside the picture", [](Scene& s) { s.sun.longitude = 60.0; }, {"sun/disc"}, 2, 0},
     {"lights", [](Scene& s) { s.lights.density = 0.0; }, {"lights/night"}, 1, 0},
     {"rings", [](Scene& s) { s.rings.density = 0.0; }, {"rings/plane", "rings/shadow"}, 3, 0},
-    {"water", [](Scene& s) { s.water.level = 0.0; }, {"water/calm"}, 1, 0},
+    {"water", [](Scene& s) { s.water.level = 0.0; }, {"water/calm"}, 1, 2},
     {"ground and its lights",
      [](Scene& s) { s.terrain.model = choice("terrain.model", "none"); },
      {"ground/bake", "ground/icosphere", "lights/night"},

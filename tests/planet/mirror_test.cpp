@@ -2,15 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "formulas/formulas.hpp"
-#include "laws/random_places.hpp"
-#include "planet/spheres.hpp"
 #include "scene/presets.hpp"
 
 namespace terrella {
@@ -74,32 +68,6 @@ TEST(Mirror, IsThatOfAllThePictureInEachOfItsTiles) {
   const glm::mat4 of_tile = clip_in_mirror(mirror_of(scene, pose_of(scene, tile), tile));
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) EXPECT_NEAR(of_whole[column][row], of_tile[column][row], 1e-6);
-  }
-}
-
-TEST(AltitudeSeen, IsThatOfThePlace) {
-  test::Places places(57U);
-  for (int i = 0; i < 10'000; ++i) {
-    const double r = places.between(0.5, 2.0), alt = std::pow(10.0, places.between(-6.0, 0.0));
-    const glm::dvec3 eye = (r + alt) * places.on_sphere();
-    const glm::dvec3 offset = std::pow(10.0, places.between(-6.0, 0.0)) * places.on_sphere();
-    const double climb = glm::dot(offset, glm::normalize(eye));
-    const double altitude = f64::altitude_seen(r, alt, climb, glm::dot(offset, offset));
-    ASSERT_NEAR(altitude, glm::length(eye + offset) - r, 1e-14);
-  }
-}
-
-// Of a place that the mirrored eye sees: from how steep it is, and its height.
-TEST(WayInMirror, IsTheDistanceOfThePlace) {
-  test::Places places(58U);
-  for (int i = 0; i < 10'000; ++i) {
-    const double r = 1.0, alt = std::pow(10.0, places.between(-7.0, -4.0));
-    const double way = std::min(alt * std::pow(10.0, places.between(0.1, 3.0)), 0.02),
-                 climb = places.between(0.01, 0.9);
-    const glm::dvec3 mirrored(0.0, 0.0, r - alt), ray(std::sqrt(1.0 - climb * climb), 0.0, climb);
-    const double height = glm::length(mirrored + way * ray) - r;
-    const double found = f64::way_in_mirror(r, alt, climb, height / way);
-    ASSERT_NEAR(found / way, 1.0, 0.01) << alt << ' ' << way << ' ' << climb;
   }
 }
 

@@ -34,7 +34,7 @@ TEST(ProbeCommand, ListsItsFunctions) {
   const Ran ran = run("PROGRAM probe --list");
   EXPECT_EQ(ran.code, 0);
   EXPECT_EQ(ran.out.rfind("grid_offset\ngrid_point\n", 0), 0U);
-  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 57);
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 59);
 }
 
 TEST(ProbeCommand, EndsWell) {
@@ -67,7 +67,7 @@ TEST(ProbeCommand, AnswersBeforeTheNextIsAsked) {
 TEST(ProbeCommand, TriesItselfAndPrintsATable) {
   const Ran ran = run("PROGRAM probe --fuzz 20 --markdown");
   EXPECT_EQ(ran.code, 0);
-  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 59);
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 61);
 }
 
 TEST(ProbeCommand, BadOptionsAreTheUsersMistake) {

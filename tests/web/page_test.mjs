@@ -16,7 +16,7 @@ describe('the page', () => {
     assert.deepEqual(site.server.log.missing, []);
     assert.ok(site.server.log.requests <= 8, `${site.server.log.requests} requests`);
     assert.equal(await page.evaluate(() => performance.getEntriesByType('resource').filter(entry => entry.name.includes('real_size')).length), 0);
-    assert.ok(site.server.log.gzipped <= 357_000, `${site.server.log.gzipped} bytes gzipped`);
+    assert.ok(site.server.log.gzipped <= 360_000, `${site.server.log.gzipped} bytes gzipped`);
     const seen = await look(page);
     assert.ok(seen.brightness > 0.03 && seen.colors > 500, JSON.stringify(seen));
     await page.context().close();
