@@ -7,7 +7,7 @@ layout(std140) uniform FrameBlock {
   vec4 eye_low;            // what the rounding lost
   vec4 ray_forward;        // unit; w: angle of a pixel, rad
   vec4 ray_right;          // to the right edge of the picture at distance 1
-  vec4 ray_up;             // to its upper edge
+  vec4 ray_up;             // to its upper edge; w: how much is shown of land in the water's mirror, 0..1
   vec4 sun_direction;      // unit; w: exposure, a factor
   vec4 sun_light;          // linear colour times intensity
   vec4 ground_map_scale;   // x: angle of a texel; y, z: first and end of the octaves computed per pixel; w: 1 if water hides the ground under it
@@ -35,6 +35,12 @@ float pixel_footprint(vec3 up, vec3 offset, float least_cosine) {
   float away = length(offset);
   return fineness.x * away * ray_forward.w / max(-dot(up, offset) / away, least_cosine);
 }
+
+// From the eye that is as far below the still water as the true one is above to a position from that.
+vec3 from_mirrored_eye(vec3 offset) { return offset + 2.0 * mirror.x * normalize(eye_high.xyz); }
+
+// The ray (unit) along which a position from the eye is seen in what is drawn.
+vec3 ray_to(vec3 offset) { return normalize(mirror.w > 0.0 ? from_mirrored_eye(offset) : offset); }
 
 // As a part of its distance, how far below the water land is shown in its mirror.
 float foot_in_mirror() { return 3.0 * mirror.y; }

@@ -4,6 +4,6 @@
 
 void main() {
   vec3 place = surface_from_eye;
-  GroundAt ground = node_ground(place, normalize(place));
+  GroundAt ground = node_ground(place, ray_to(place));
   emit_ground(place, ground, layer_rise(ground), 0.0);
 }

@@ -13,7 +13,7 @@ float altitude_seen(float r, float alt, float climb, float square) {
 float way_in_mirror(float r, float alt, float cosine, float rise) {
   float steeper = cosine - rise;
   float fall = (1.0 - cosine) * (1.0 + cosine) / r;
-  float root = sqrt(steeper * steeper + 2.0 * alt * fall);
+  float root = sqrt(max(steeper * steeper + 2.0 * alt * fall, 0.0));
   return steeper > 0.0 ? 2.0 * alt / (steeper + root) : (root - steeper) / max(fall, 1.0e-9);
 }
 

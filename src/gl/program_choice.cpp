@@ -11,7 +11,11 @@ void ProgramChoice::want(std::string_view name) {
 }
 
 Program& ProgramChoice::use(bool patient) {
-  if (used_ == nullptr || patient || wanted_->ready()) used_ = wanted_;
+  if (patient || wanted_->ready()) used_ = wanted_;
+  if (used_ == nullptr) {
+    const auto found = std::find_if(programs_.begin(), programs_.end(), [](const auto& p) { return p->ready(); });
+    used_ = found != programs_.end() ? found->get() : wanted_;
+  }
   used_->use();
   return *used_;
 }

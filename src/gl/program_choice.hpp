@@ -26,7 +26,8 @@ class ProgramChoice {
   // Whether the last one used is the wanted one.
   [[nodiscard]] bool settled() const { return used_ == wanted_; }
 
-  // Makes the wanted program the current one; if that would mean to wait and patient is false, the last one used.
+  // Makes the wanted program the current one; if that would mean to wait and patient is false, the last one used, or
+  // else any that is ready.
   // Returns the one in use.
   Program& use(bool patient);
 

@@ -63,7 +63,7 @@ void add_nodes(Sum& sum, const Needs& needs) {
   const std::int64_t room = node_room(static_cast<int>(vertices));
   // Beside a grid around the eye there is room for the next.
   const int kept = needs.ground == Ground::persistent_grid ? 2 : 1;
-  const int layers = needs.mirrors_land ? 3 : needs.water != Water::none ? 2 : 1;
+  const int layers = needs.mirrored_land > 0.0 ? 3 : needs.water != Water::none ? 2 : 1;
   const int of_deep_sea = needs.water == Water::none ? 0 : needs.water == Water::waves ? deepest_level + 1 : 1;
   sum.draw(layers * room * triangles, static_cast<int>(lists) * layers + of_deep_sea);
   for (int n = 0; n < kept; ++n) {
@@ -80,7 +80,7 @@ void add_ground(Sum& sum, const Needs& needs) {
     sum.program(name);
     sum.program(text_of(name, "_in_water"));
   }
-  const int times = needs.mirrors_land ? 2 : 1;
+  const int times = needs.mirrored_land > 0.0 ? 2 : 1;
   sum.draw(times * triangles_of(needs.ground_level), times);
   sum.mesh(needs.ground_level);
   sum.mesh(coarse_level);
@@ -144,7 +144,7 @@ void add_shells(Sum& sum, const Needs& needs) {
 
 // The picture of land that the water mirrors, which there is whether or not it shows any.
 void add_mirror(Sum& sum, const Needs& needs, const View& view) {
-  const View mirror = needs.mirrors_land ? mirror_view(view) : View{1, 1};
+  const View mirror = needs.mirrored_land > 0.0 ? mirror_view(view) : View{1, 1};
   const std::int64_t pixels = std::int64_t{mirror.width} * mirror.height;
   sum.texels(pixels * 4 / 3 + 1, 8);
   sum.texels(pixels, 4);
@@ -185,7 +185,8 @@ Cost promised_cost(const Needs& needs, const View& view, int bytes_a_pixel) {
                      needs.cloud_pixel_first;
   cost.noise_evaluations = pixels * layers;
   // A quarter as many pixels show ground in a mirror.
-  if (needs.mirrors_land) cost.noise_evaluations += pixels * (needs.pixel_octaves_end - needs.pixel_octaves_first) / 4;
+  if (needs.mirrored_land > 0.0)
+    cost.noise_evaluations += pixels * (needs.pixel_octaves_end - needs.pixel_octaves_first) / 4;
   if (needs.ground == Ground::persistent_grid) add_fade(cost, pixels * (bytes_a_pixel + depth_bytes));
   return cost;
 }

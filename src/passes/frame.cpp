@@ -33,9 +33,9 @@ double white_from_afar(const Needs& needs, const Sea& sea) {
   return f64::whitecaps_at(1.0, 1.0, sea.slope_variance, sea.breaking);
 }
 
-// Whether the water has no slopes but those that are shown.
-bool is_smooth(const Needs& needs) {
-  return needs.water == Water::calm && !needs.hides_waves && needs.ripple_layers == 0;
+// Whether the water has no slopes, shown or not.
+bool is_smooth(const Scene& scene, const Needs& needs) {
+  return needs.water == Water::calm && !needs.hides_waves && scene.water.ripples <= 0.0;
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   const glm::dvec3 right = aspect * pose.tan_half_fov * pose.right, up = pose.tan_half_fov * pose.up;
   block.ray_forward = vector(pose.forward - shift.x * right - shift.y * up, pose.pixel_angle);
   block.ray_right = vector(right);
-  block.ray_up = vector(up);
+  block.ray_up = vector(up, needs.mirrored_land);
   block.sun_direction = vector(light.sun, std::exp2(scene.picture.exposure));
   block.sun_light = vector(light.sunlight);
   block.ground_map_scale = glm::vec4(maps.ground_texel, needs.pixel_octaves_first, needs.pixel_octaves_end,
@@ -113,7 +113,7 @@ FrameBlock frame_block(const Frame& frame, const Maps& maps) {
   block.water_depths = vector(water.color, water.clarity);
   block.levels = glm::vec4(bands_of(scene).snow_sine, needs.water_lift, maps.ground_level, needs.water_most_lift);
   block.slopes = glm::vec4(unseen_slopes(scene, finest_seen(frame, maps)), unseen_slopes(scene, needs.ground_spacing),
-                           white_from_afar(needs, sea), is_smooth(needs) ? 1.0 : 4.0);
+                           white_from_afar(needs, sea), is_smooth(scene, needs) ? 1.0 : 4.0);
   block.sky_glow = vector(light.sky_glow);
   // Points of light have their size in the picture that is shown; where fewer pixels are drawn they are as small as can
   // be, and dimmer for it.

@@ -34,7 +34,9 @@ void GroupedMesh::draw(const Frame& frame, Chosen groups, double lowest) {
     }
   };
   const auto send = [&](const std::vector<std::uint32_t>& indices) { mesh_.set_indices(indices); };
-  const auto [first, count] = parts_.range_of(std::move(groups), draws_all(frame), append, send);
+  // Beside that in the mirror, it is not for all that is drawn.
+  const bool whole = draws_all(frame) && !frame.is_mirror;
+  const auto [first, count] = parts_.range_of(std::move(groups), whole, append, send);
   mesh_.draw(first, count);
 }
 

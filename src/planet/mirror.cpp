@@ -17,7 +17,11 @@ constexpr double fineness = 0.5;
 
 }  // namespace
 
-View mirror_view(const View& view) { return drawn_at(whole_of(view), fineness, most); }
+View mirror_view(const View& view) {
+  View mirror = drawn_at(whole_of(view), fineness, most);
+  mirror.shift.y = -mirror.shift.y;
+  return mirror;
+}
 
 Mirror mirror_of(const Scene& scene, const Pose& pose, const View& view) {
   Mirror mirror = {mirror_view(view), pose, glm::length(pose.eye) - water_radius(scene)};
@@ -31,8 +35,12 @@ Mirror mirror_of(const Scene& scene, const Pose& pose, const View& view) {
   return mirror;
 }
 
+glm::dvec3 mirrored_eye(const Mirror& mirror) {
+  return mirror.pose.eye - 2.0 * mirror.height * glm::normalize(mirror.pose.eye);
+}
+
 glm::mat4 clip_in_mirror(const Mirror& mirror) {
-  const glm::dvec3 from_mirrored_eye = 2.0 * mirror.height * glm::normalize(mirror.pose.eye);
+  const glm::dvec3 from_mirrored_eye = mirror.pose.eye - mirrored_eye(mirror);
   return glm::translate(clip_from_eye(mirror.pose, mirror.view, {0.0, 0.0, 0.0, 0.0}), glm::vec3(from_mirrored_eye));
 }
 

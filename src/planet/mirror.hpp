@@ -17,9 +17,12 @@ struct Mirror {
   double climb = 1.0;  // sine of how steeply the mirrored eye looks up to land, at the most
 };
 
-// Half as fine as the picture: water is never as smooth as a mirror.
+// Half as fine as the picture, and of no more than 2048 pixels along a side: water is never as smooth as a mirror.
 View mirror_view(const View& view);
 Mirror mirror_of(const Scene& scene, const Pose& pose, const View& view);
+
+// Where the mirrored eye is.
+glm::dvec3 mirrored_eye(const Mirror& mirror);
 
 // From positions relative to the true eye to the mirror's clip space, of which z is left to who draws.
 glm::mat4 clip_in_mirror(const Mirror& mirror);

@@ -246,20 +246,20 @@ void decide_dive(Needs& needs, const Scene& scene, const View& view, const Pose&
                                      : "the eye is over the water");
 }
 
-// Land that is seen in the water's mirror.
+// Land that is seen in the water's mirror. It fades in, so that no one sees it come.
 void decide_mirror(Needs& needs, const Scene& scene, const Pose& pose, Decisions& decide) {
   constexpr double usual_height = 0.1, usual_grazing = 0.1;  // of land's highest; rad
-  const bool clear = scene.water.shading != shading_phong;
+  const double over_water = glm::length(pose.eye) - water_radius(scene);
+  const double pixel = pose.pixel_angle * std::max(over_water, 0.0) / usual_grazing;
   const double height = usual_height * (ground_top(scene) - water_radius(scene));
-  const double distance = std::max(glm::length(pose.eye) - water_radius(scene), 0.0) / usual_grazing;
   const bool near = has_nodes(needs.ground) || refines_ground(needs);
-  const bool seen = near && height > pose.pixel_angle * distance;
-  needs.mirrors_land = clear && seen && !needs.in_water;
-  decide.add("water.mirrors_land", needs.mirrors_land ? "yes" : "no",
-             !clear               ? "water.shading asks for a highlight alone"
-             : needs.in_water     ? "the eye is in the water"
-             : needs.mirrors_land ? "shores are near enough"
-                                  : "too far for a mirrored shore to be seen, or there is none");
+  const bool fresnel = scene.water.shading != shading_phong;
+  if (near && fresnel && over_water > 0.0 && height > pixel) needs.mirrored_land = std::min(height / pixel - 1.0, 1.0);
+  decide.add("water.mirrored_land", needs.mirrored_land,
+             needs.mirrored_land > 0.0 ? "shores are near enough for land to be seen in the water"
+             : !fresnel                ? "water.shading asks for a highlight alone"
+             : over_water <= 0.0       ? "the eye is under water"
+                                       : "there is no land near enough to be seen in the water");
 }
 
 void decide_water(Needs& needs, const Scene& scene, const View& view, const Pose& pose, Decisions& decide) {

@@ -61,7 +61,7 @@ struct Needs {
   double water_hides = 0;      // depth from which nothing is seen of the ground, radii
   bool in_water = false;       // the lens, or a part of it, is under water
   double water_sight = 0;      // how far one sees where all of it is, radii; 0: it is not
-  bool mirrors_land = false;   // the water shows land that stands in its mirror
+  double mirrored_land = 0;    // how much the water shows of land that stands in its mirror, 0..1
   double sea_swell = 0;        // by how much waves raise and move the sea of nodes at the most, radii
   int ripple_layers = 0;       // of small waves as flow noise at every pixel of a calm sea, and of its crust
   int cloud_level = 0;         // icosphere level of the shell of clouds

@@ -24,11 +24,11 @@ double top_of(const NodeSight& sight, const NodeFrame& frame) {
 }
 
 // beyond: so far from them.
-bool is_between(const std::array<glm::dvec3, 4>& sides, const NodeSight& sight, const NodeFrame& frame, double beyond) {
+bool is_between(const std::array<glm::dvec3, 4>& sides, const glm::dvec3& eye, const NodeSight& sight,
+                const NodeFrame& frame, double beyond) {
   const double low = 1.0 + frame.heights.lowest, high = top_of(sight, frame);
-  return std::none_of(sides.begin(), sides.end(), [&](const glm::dvec3& side) {
-    return is_outside(frame.outline, low, high, sight.eye, side, beyond);
-  });
+  return std::none_of(sides.begin(), sides.end(),
+                      [&](const glm::dvec3& side) { return is_outside(frame.outline, low, high, eye, side, beyond); });
 }
 
 class Choice {
@@ -192,13 +192,13 @@ class Choice {
 
 bool is_in_picture(const NodeSight& sight, const NodeFrame& node, double aside) {
   const double distance = glm::distance(sight.eye, node.outline.middle) + node.outline.half_width;
-  return is_between(sight.sides, sight, node, sight.sea_swell + aside * distance);
+  return is_between(sight.sides, sight.eye, sight, node, sight.sea_swell + aside * distance);
 }
 
 bool is_in_mirror(const NodeSight& sight, const NodeFrame& node, double highest) {
   if (!sight.mirror) return false;
   const double pixel = sight.mirror->pixel * nearest_to(node.outline, glm::normalize(sight.eye));
-  return highest > sight.sea + pixel && is_between(sight.mirror->sides, sight, node, 2.0 * sight.mirror->height);
+  return highest > sight.sea + pixel && is_between(sight.mirror->sides, sight.mirror->eye, sight, node, 0.0);
 }
 
 NodeDistance distance_of(const NodeOutline& node, const NodeEye& eye, double widest) {

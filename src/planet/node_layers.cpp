@@ -38,10 +38,10 @@ NodeSight sight_of_nodes(const Scene& scene, const Needs& needs, const Pose& pos
     sight.sea_hides = needs.water_hides;
     sight.most_sea_lift = needs.water_most_lift;
   }
-  if (needs.mirrors_land) {
+  if (needs.mirrored_land > 0.0) {
     const Mirror mirror = mirror_of(scene, pose, view);
     const auto sides = node_sight(mirror.pose, mirror.view, {0, mirror.view.height}, 0.0).sides;
-    sight.mirror = {sides, mirror.height, mirror.pose.pixel_angle};
+    sight.mirror = {mirrored_eye(mirror), sides, mirror.height, mirror.pose.pixel_angle};
   }
   return sight;
 }

@@ -25,9 +25,10 @@ struct NodeSight {
   double sea_swell = 0.0;  // by how much waves raise it, or move it aside, at the most
   // What the sea mirrors, if it mirrors land.
   struct MirrorSight {
+    glm::dvec3 eye;                   // the mirrored one
     std::array<glm::dvec3, 4> sides;  // as those of the picture
-    double height;  // of the eye over the sea: the mirrored one, through which the sides go, is as far below
-    double pixel;   // rad
+    double height;                    // of the true eye over the sea
+    double pixel;                     // rad
   };
   std::optional<MirrorSight> mirror = std::nullopt;
 

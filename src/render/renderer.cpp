@@ -35,7 +35,7 @@ double planet_pixels(const View& view, const Pose& pose) {
 int reads_a_pixel(const Needs& needs, const Scene& scene) {
   const int surface = needs.water != Water::none ? 2 : needs.ground != Ground::none ? 1 : 0;
   // How far land in the mirror is in three places, and its light in four.
-  const int mirrored = needs.mirrors_land ? 7 : 0;
+  const int mirrored = needs.mirrored_land > 0.0 ? 7 : 0;
   if (needs.clouds == Clouds::none) return surface + mirrored;
   return surface + mirrored + 2 + (surface > 0 && scene.clouds.shadow > 0.0 ? 1 : 0);
 }
@@ -163,7 +163,7 @@ void Renderer::begin(const Scene& scene, const View& view, const Shot& shot) {
 
 void Renderer::draw_mirror() {
   if (!land_mirror_) return;
-  if (!needs_.mirrors_land || !ground_) return land_mirror_->clear();
+  if (needs_.mirrored_land <= 0.0 || !ground_) return land_mirror_->clear();
   const double climb = ground_->mirrored_climb();
   if (climb <= 0.0 || begun_->shot.channel != Channel::color) return;
   begun_->mirror = mirror_of(begun_->scene, pose_, begun_->view);
@@ -175,6 +175,7 @@ void Renderer::draw_mirror() {
   set_maps(frame);
   land_mirror_->begin(mirror);
   draw_opaque();
+  if (water_) water_->set_waves(frame);
   ground_->draw(frame);
   land_mirror_->end();
 }
@@ -274,7 +275,8 @@ void Renderer::update_slots(const Frame& frame) {
   const double times_drawn = part_before() > 0.0 ? 2.0 : 1.0;
   const double planet = times_drawn * planet_pixels(frame.view, frame.pose);
   // Ground in the mirror has a quarter of the pixels.
-  const double in_mirror = needs_.mirrors_land ? 0.25 * (needs_.pixel_octaves_end - needs_.pixel_octaves_first) : 0.0;
+  const double in_mirror =
+      needs_.mirrored_land > 0.0 ? 0.25 * (needs_.pixel_octaves_end - needs_.pixel_octaves_first) : 0.0;
   noise_evaluations_ += static_cast<std::int64_t>(planet * (per_pixel + in_mirror));
   const double all = static_cast<double>(frame.view.width) * frame.view.height;
   const int smoothing = frame.scene.quality.antialias ? reads_to_smooth : 0;

@@ -2,6 +2,8 @@
 // detail.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "height_maps.hpp"
 #include "images/reference_errors.hpp"
 #include "measure/ground_models.hpp"
@@ -137,6 +139,56 @@ TEST(SeaOfWind, MirrorsLand) {
   // Measured: 26.8 to 27.7, and 25.3 to 26.0. The reference sees four points of a snowfield in each pixel of the waves.
   expect_likeness("fjords", still, 26.7);
   expect_likeness("windy fjords", windy, 25.2);
+}
+
+// Between two altitudes (m), on both sides of where needs change.
+template <class Is>
+std::pair<Scene, Scene> around_change(const Scene& scene, double low, double high, const Is& is) {
+  const auto at = [&](double altitude) {
+    Scene there = scene;
+    there.camera.altitude = altitude;
+    return there;
+  };
+  const auto decided = [&](double altitude) {
+    const Scene there = at(altitude);
+    View view;
+    view.width = test::errors_width;
+    view.height = test::errors_height;
+    return is(needs_of(there, view, pose_of(there, view)));
+  };
+  const bool below = decided(low);
+  EXPECT_NE(below, decided(high));
+  while (high - low > 1e-7 * low) {
+    const double middle = 0.5 * (low + high);
+    (decided(middle) == below ? low : high) = middle;
+  }
+  return {at(low), at(high)};
+}
+
+// Where waves become roughness, and land in the mirror fades out, pictures before and after are the same but for the
+// step of the camera between them.
+TEST(SeaOfWind, ChangesUnseenFromNearToFar) {
+  const auto context = EglContext::make(Api::core);
+  ASSERT_TRUE(context) << context.sentence();
+  Renderer renderer;
+  const auto likeness = [&](const std::pair<Scene, Scene>& change) {
+    const Image below = test::light_of(change.first, renderer);
+    return psnr(test::cut_off(below), test::cut_off(test::light_of(change.second, renderer)));
+  };
+  for (const double pitch : {-40.0, -10.0}) {
+    Scene scene = sea_of_wind(8.0, 0.0, 160.0);
+    scene.camera.pitch = pitch;
+    const double found =
+        likeness(around_change(scene, 2e3, 2e6, [](const Needs& needs) { return needs.water == Water::waves; }));
+    if (test::prints()) std::printf("waves from %.0f degrees: %.1f dB\n", pitch, found);
+    EXPECT_GE(found, 120.0) << pitch;  // measured: 160 and more
+  }
+  Scene fjords = find_preset("fjords")->scene;
+  fjords.camera.pitch = -12.0;
+  const double found =
+      likeness(around_change(fjords, 8e3, 1e6, [](const Needs& needs) { return needs.mirrored_land > 0.0; }));
+  if (test::prints()) std::printf("land in the mirror: %.1f dB\n", found);
+  EXPECT_GE(found, 100.0);  // measured: 120
 }
 
 Scene under_lagoon(double depth, double pitch) {

@@ -22,7 +22,8 @@ TEST(Mirror, ShowsWaterWhereThePictureDoesStandingOnItsHead) {
   Scene scene = fjords();
   scene.camera.pitch = -20.0;
   scene.camera.roll = 10.0;
-  const View view;
+  View view;
+  view.shift = {100.0, -60.0};  // past a panel
   const Pose pose = pose_of(scene, view);
   const Mirror mirror = mirror_of(scene, pose, view);
   EXPECT_EQ(mirror.view.width, view.width / 2);

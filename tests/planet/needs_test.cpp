@@ -93,7 +93,7 @@ TEST(CellsOfNodes, AreTheSameForPicturesOfAnySize) {
 TEST(Water, MirrorsLandWhereThatIsSeen) {
   const auto mirrors = [](const Scene& scene) {
     const View view;
-    return needs_of(scene, view, pose_of(scene, view)).mirrors_land;
+    return needs_of(scene, view, pose_of(scene, view)).mirrored_land > 0.0;
   };
   Scene scene = find_preset("fjords")->scene;
   EXPECT_TRUE(mirrors(scene));
