@@ -92,7 +92,7 @@ TEST(Cost, OfWhatTheNeedsDoNotCallForIsTold) {
   work.triangles = 6000;  // of level 4 there are 5120
   work.draw_calls = 2;
   work.noise_evaluations = 1;
-  work.textures = 4;
+  work.textures = 6;
   work.gpu_bytes = 1'000'000'000;
   const std::vector<std::string> told = beyond(work, promised);
   ASSERT_EQ(told.size(), 6U);
