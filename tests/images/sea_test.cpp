@@ -168,6 +168,7 @@ std::pair<Scene, Scene> around_change(const Scene& scene, double low, double hig
 // Where waves become roughness, and land in the mirror fades out, pictures before and after are the same but for the
 // step of the camera between them.
 TEST(SeaOfWind, ChangesUnseenFromNearToFar) {
+  if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   const auto context = EglContext::make(Api::core);
   ASSERT_TRUE(context) << context.sentence();
   Renderer renderer;
