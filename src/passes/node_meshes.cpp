@@ -183,9 +183,8 @@ void NodeMeshes::draw(const Frame& frame, const gl::Program& program, NodeLayer 
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_.at(i)->bind(gl::unit_nodes + static_cast<int>(i));
   if (heights_) heights_->bind(gl::unit_heights);
   program.set("node_vertices", static_cast<int>(patch_.vertices.size()));
-  const bool is_sea = layer == NodeLayer::sea || layer == NodeLayer::deep_sea;
-  const NodeRanges& ranges = is_sea ? sea_ranges_ : ranges_;
-  const bool waves = is_sea && frame.needs.water == Water::waves;
+  const NodeRanges& ranges = is_sea(layer) ? sea_ranges_ : ranges_;
+  const bool waves = is_sea(layer) && frame.needs.water == Water::waves;
   const double skirt = (waves ? wave_skirt_pixels : skirt_pixels) * frame.pose.pixel_angle;
   program.set("node_morph", static_cast<float>(ranges.morph_begin()), static_cast<float>(ranges.morph_end()),
               static_cast<float>(eye_.lift * eye_.lift), static_cast<float>(skirt));

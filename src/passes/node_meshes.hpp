@@ -55,8 +55,7 @@ class NodeMeshes {
  private:
   [[nodiscard]] bool sea_is_coarser() const { return sight_.sea > 0.0 && sea_ranges_.split < ranges_.split; }
   [[nodiscard]] const std::vector<DrawnNode>& drawn_as(NodeLayer layer) const {
-    const bool is_sea = layer == NodeLayer::sea || layer == NodeLayer::deep_sea;
-    return is_sea && sea_is_coarser() ? sea_choice_.drawn : choice_.drawn;
+    return is_sea(layer) && sea_is_coarser() ? sea_choice_.drawn : choice_.drawn;
   }
   // Forgets what was made for another grid or another relief.
   void start_anew(const Frame& frame);

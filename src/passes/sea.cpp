@@ -65,6 +65,7 @@ void SeaPass::want(const Needs& needs) {
 }
 
 void SeaPass::mirror_land(const Needs& needs, bool mirrors_land) {
+  if (mirrors_land == mirrors_land_) return;
   mirrors_land_ = mirrors_land;
   want(needs);
 }

@@ -13,6 +13,7 @@ namespace terrella {
 // deep_sea: of whose ground nothing is seen; all other sea is `sea`. mirrored: its land in the mirror of the sea.
 enum class NodeLayer { ground, sea, deep_sea, mirrored };
 inline constexpr std::size_t node_layers = 4;
+constexpr bool is_sea(NodeLayer layer) { return layer == NodeLayer::sea || layer == NodeLayer::deep_sea; }
 
 // needs: of a ground of nodes, here and below.
 NodeRanges ranges_of(const NodeGrid& grid, const Needs& needs);

@@ -123,11 +123,14 @@ void Renderer::choose_techniques(Effort effort) {
   const bool may_fade = has_real_size && needs_.ground == Ground::persistent_grid;
   if (!may_fade) fade_.reset();
   if (may_fade && !fade_) fade_.emplace();
-  // Kept as long as there is water: waves may pass over the lens again and again.
-  if (needs_.water == Water::none) backdrop_.reset();
-  if (needs_.water == Water::none) land_mirror_.reset();
-  if (needs_.water != Water::none && !land_mirror_) land_mirror_.emplace();
-  if (needs_.in_water && !backdrop_) backdrop_.emplace();
+  if (needs_.water == Water::none) {
+    backdrop_.reset();
+    land_mirror_.reset();
+  } else {
+    if (!land_mirror_) land_mirror_.emplace();
+    // Kept as long as there is water: waves may pass over the lens again and again.
+    if (needs_.in_water && !backdrop_) backdrop_.emplace();
+  }
   if (ground_) ground_->want(needs_);
   if (water_) water_->want(needs_);
   if (clouds_) clouds_->want(needs_);

@@ -42,6 +42,18 @@ Scene sea_of_wind(double wind, double height, double longitude) {
   return scene;
 }
 
+// On all three grounds. least: dB.
+void expect_likeness(const char* what, const Scene& scene, double least) {
+  const Image exact = reference::light(scene, test::asked_for<reference::Options>());
+  for (const Ground ground : ground_models()) {
+    Renderer renderer;
+    const double found =
+        psnr(test::cut_off(test::light_of(with_ground(scene, ground), renderer)), test::cut_off(exact));
+    if (test::prints()) std::printf("%-14s%-16s %.1f dB\n", what, std::string(name_of(ground)).c_str(), found);
+    EXPECT_GE(found, least) << what << ' ' << name_of(ground);
+  }
+}
+
 class SeasOfWind : public testing::TestWithParam<SeaView> {};
 
 TEST_P(SeasOfWind, AreThoseOfTheReference) {
@@ -51,14 +63,7 @@ TEST_P(SeasOfWind, AreThoseOfTheReference) {
   const SeaView& view = GetParam();
   Scene scene = sea_of_wind(view.wind, view.height, 160.0);
   scene.camera.pitch = view.pitch;
-  const Image exact = reference::light(scene, test::asked_for<reference::Options>());
-  for (const Ground ground : ground_models()) {
-    const Scene drawn = with_ground(scene, ground);
-    Renderer renderer;
-    const double found = psnr(test::cut_off(test::light_of(drawn, renderer)), test::cut_off(exact));
-    if (test::prints()) std::printf("%-14s%-16s %.1f dB\n", view.name, std::string(name_of(ground)).c_str(), found);
-    EXPECT_GE(found, view.psnr) << name_of(ground);
-  }
+  expect_likeness(view.name, scene, view.psnr);
 }
 
 // Floors lie a tenth of a dB under what was measured, the same on all three grounds.
@@ -80,14 +85,7 @@ TEST(SeaOfWind, RunsUpABeach) {
   scene.camera.latitude = 24.0;
   scene.camera.heading = 0.0;
   scene.camera.pitch = -8.0;
-  const Image exact = reference::light(scene, test::asked_for<reference::Options>());
-  Renderer renderer;
-  for (const Ground ground : ground_models()) {
-    const double found =
-        psnr(test::cut_off(test::light_of(with_ground(scene, ground), renderer)), test::cut_off(exact));
-    if (test::prints()) std::printf("%-14s%-16s %.1f dB\n", "beach", std::string(name_of(ground)).c_str(), found);
-    EXPECT_GE(found, 23.1) << name_of(ground);
-  }
+  expect_likeness("beach", scene, 23.1);
 }
 
 // The pattern of sunlight on the sand of a lagoon lies where the reference has it.
@@ -110,17 +108,6 @@ TEST(SeaOfWind, GathersSunlightOnTheBottom) {
   if (test::prints()) std::printf("lagoon: %.1f dB, of a still sea %.1f dB\n", found, without);
   EXPECT_GE(found, 37.2);  // measured: 37.4; 35.0 with the bottom right below instead of along the ray
   EXPECT_GE(found, without + 15.0);
-}
-
-void expect_likeness(const char* what, const Scene& scene, double least) {
-  const Image exact = reference::light(scene, test::asked_for<reference::Options>());
-  for (const Ground ground : ground_models()) {
-    Renderer renderer;
-    const double found =
-        psnr(test::cut_off(test::light_of(with_ground(scene, ground), renderer)), test::cut_off(exact));
-    if (test::prints()) std::printf("%-14s%-16s %.1f dB\n", what, std::string(name_of(ground)).c_str(), found);
-    EXPECT_GE(found, least) << what << ' ' << name_of(ground);
-  }
 }
 
 // Land in the mirror of still water, and of waves, most of which are smaller than pixels; without hills that are so
