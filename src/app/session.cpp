@@ -29,6 +29,8 @@ constexpr std::size_t frames_timed = 60;
 constexpr double longest_refinement = 1.0;  // s
 constexpr std::ptrdiff_t most_notices = 24;
 constexpr double share_of_map = 0.05;  // of the time of a frame
+// Of the time of a frame for what the ground lacks, and the most that anyone has to wait for it (ms).
+constexpr double share_of_making = 0.25, most_making_ms = 500.0;
 
 // camera.fov is that of the shorter side of what is free: in an upright window the planet would be twice as wide as
 // that.
@@ -147,6 +149,8 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   Turn turn;
   const double elapsed = at_rest_ ? 0.0 : std::clamp(now - now_, 0.0, 1.0);
   last_elapsed_ = elapsed;
+  const double since_last_ms = at_rest_ ? 0.0 : 1000.0 * (now - now_);
+  making_ms_ = std::clamp(share_of_making * since_last_ms, least_making_ms, most_making_ms);
   now_ = now;
   if (made_at_ < 0.0) made_at_ = now;
   if (!renderer_) return turn;
@@ -246,7 +250,7 @@ void Session::choose_quality(double now) {
 // Whether there is more to show than the last frame did, without anything having changed.
 bool Session::is_finer() {
   if (clock_moved_ || bands_.under_way() || renderer_->settled() || hand_on_value_) return false;
-  return !renderer_->whole() || renderer_->refine(shown(), view());
+  return !renderer_->whole() || renderer_->refine(shown(), view(), making_ms_);
 }
 
 Effort Session::effort() const {
@@ -257,7 +261,7 @@ Effort Session::effort() const {
 void Session::draw_planet(double now) {
   bands_.drop();
   const Effort effort = this->effort();
-  renderer_->draw(shown(), view(), {Channel::color, effort, false});
+  renderer_->draw(shown(), view(), {Channel::color, effort, false, std::nullopt, making_ms_});
   const bool soonest = effort == Effort::soonest;
   planet_stale_ = soonest;  // the rest follows
   clock_moved_ = false;
@@ -288,7 +292,7 @@ bool Session::draw_for_the_clock(double now) {
   const bool show = at_once || bands_.bands() == 1 || bands_.complete();
   if (!bands_.under_way()) {
     const double after = last_drawn_ ? 1000.0 * (now - *last_drawn_) : 0.0;
-    bands_.begin(*renderer_, shown(), view(), {Channel::color, Effort::live, false}, after);
+    bands_.begin(*renderer_, shown(), view(), {Channel::color, Effort::live, false, std::nullopt, making_ms_}, after);
     clock_moved_ = false;
   } else if (!bands_.complete()) {
     do bands_.draw_next(*renderer_);

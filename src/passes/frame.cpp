@@ -80,8 +80,8 @@ double map_level(const Frame& frame, double radius, double texel) {
 }
 
 FrameBlock frame_block(const Frame& frame, const Maps& maps) {
-  const auto& [scene, view, pose, needs, sea, channel, effort, rows, levels_for, ground_shown, mirror, is_mirror] =
-      frame;
+  const auto& [scene, view, pose, needs, sea, channel, effort, rows, making_ms, levels_for, ground_shown, mirror,
+               is_mirror] = frame;
   const double aspect = static_cast<double>(view.width) / view.height;
   const glm::vec3 high(pose.eye);
   const f64::SceneLight light = light_of(scene, pose);

@@ -24,6 +24,10 @@ enum class Effort {
   complete,  // everything is made at once, however long it takes
 };
 
+// For what the CPU makes for a frame that may leave some of it for later ones: so little that no one waits for it where
+// frames come quickly.
+inline constexpr double least_making_ms = 5.0;
+
 // Which ground is drawn, where one way of dividing it gives way to the next.
 enum class GroundShown { now, before };
 
@@ -59,8 +63,9 @@ struct Frame {
   const Sea& sea;
   Channel channel = Channel::color;
   Effort effort = Effort::complete;
-  Rows rows;                         // of the picture that are drawn now; all else of it is as for the whole
-  const Pose* levels_for = nullptr;  // for which levels of detail of nodes are chosen; none: its own
+  Rows rows;                           // of the picture that are drawn now; all else of it is as for the whole
+  double making_ms = least_making_ms;  // for what the CPU makes, unless all is to be complete
+  const Pose* levels_for = nullptr;    // for which levels of detail of nodes are chosen; none: its own
   GroundShown ground_shown = GroundShown::now;
   const Mirror* mirror = nullptr;  // in which land stands, if in any
   bool is_mirror = false;          // it is the picture of that land

@@ -13,20 +13,18 @@
 namespace terrella {
 namespace {
 
-// For new nodes, in one frame of a picture that moves; while a parameter is dragged, which makes all of them anew.
-constexpr double live_ms = 5.0, hurried_ms = 10.0;
-
 // Of a pixel: skirts are no wider than what floats and the corners of pixels may leave open.
 constexpr double skirt_pixels = 0.7;
 
 // Of waves, which a straight edge between the vertices of a coarser neighbour misses by up to so much.
 constexpr double wave_skirt_pixels = 3.0;
 
-double time_for(Effort effort) {
-  switch (effort) {
+// ms for new nodes; more while a parameter is dragged, which makes all of them anew.
+double time_for(const Frame& frame) {
+  switch (frame.effort) {
     case Effort::complete: return std::numeric_limits<double>::infinity();
-    case Effort::live: return live_ms;
-    default: return hurried_ms;
+    case Effort::live: return frame.making_ms;
+    default: return 2.0 * frame.making_ms;
   }
 }
 
@@ -80,7 +78,7 @@ void NodeMeshes::update(const Frame& frame, std::shared_ptr<const NodeGrid> grid
   sight_ = sight_of_nodes(frame.scene, frame.needs, frame.pose, frame.view);
   choose();
   const auto start = std::chrono::steady_clock::now();
-  const double time = making == Making::in_time ? time_for(frame.effort) : 0.0;
+  const double time = making == Making::in_time ? time_for(frame) : 0.0;
   // What is only ahead serves pictures that follow.
   const bool looks_ahead = frame.effort != Effort::complete;
   const auto wants_more = [&] { return !is_full_ && (choice_.lacks || (looks_ahead && !choice_.missing.empty())); };

@@ -172,9 +172,10 @@ void Renderer::draw_mirror() {
   begun_->mirror = mirror_of(begun_->scene, pose_, begun_->view);
   begun_->mirror->climb = climb;
   const Mirror& mirror = *begun_->mirror;
-  const Frame frame = {begun_->scene, mirror.view,      mirror.pose, needs_,
-                       begun_->sea,   Channel::color,   effort_,     {0, mirror.view.height},
-                       nullptr,       GroundShown::now, &mirror,     true};
+  const Frame frame = {begun_->scene, mirror.view,    mirror.pose,      needs_,
+                       begun_->sea,   Channel::color, effort_,          {0, mirror.view.height},
+                       0.0,           nullptr,        GroundShown::now, &mirror,
+                       true};
   set_maps(frame);
   land_mirror_->begin(mirror);
   draw_opaque();
@@ -194,6 +195,7 @@ Frame Renderer::frame_of(const Rows& rows) const {
           begun_->shot.channel,
           effort_,
           rows,
+          begun_->shot.making_ms,
           levels_for ? &*levels_for : nullptr,
           GroundShown::now,
           begun_->mirror ? &*begun_->mirror : nullptr};
@@ -244,12 +246,12 @@ void Renderer::draw_light(const Frame& frame) {
   }
 }
 
-bool Renderer::refine(const Scene& scene, const View& view) {
+bool Renderer::refine(const Scene& scene, const View& view, double making_ms) {
   if (part_before() > 0.0 || (water_ && !water_->settled() && water_->ready())) return true;
   const std::bitset<5> before = settled_slots();
   const Sea sea = make_sea(scene, view.seconds);
   scene_buffer_.set(gl::block_scene, pack_scene(scene_as_drawn(scene, needs_)));
-  update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live, {0, view.height}});
+  update_slots({scene, view, pose_, needs_, sea, Channel::color, Effort::live, {0, view.height}, making_ms});
   return settled_slots() != before || part_before() > 0.0;
 }
 

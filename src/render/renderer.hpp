@@ -34,6 +34,7 @@ struct Shot {
   // For which levels of detail of a ground of nodes are chosen, where not for the picture's own: shows what changes
   // with them alone.
   std::optional<Pose> levels_for = std::nullopt;
+  double making_ms = least_making_ms;  // as of Frame
 };
 
 // Work of the last frame, and what is held.
@@ -69,7 +70,7 @@ class Renderer {
   // Goes on with what a picture that is shown still lacks, as draw does with Effort::live, but draws none. Returns
   // whether one would now show more; where each picture does, at once. Of a whole() picture, for the scene and view it
   // was drawn for.
-  bool refine(const Scene& scene, const View& view);
+  bool refine(const Scene& scene, const View& view, double making_ms = least_making_ms);
 
   // Shows the last drawn picture (of colour) on a screen of any size; antialias smooths the planet's edges.
   void show(const gl::Screen& screen, bool antialias);

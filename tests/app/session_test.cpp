@@ -619,6 +619,21 @@ TEST_F(SessionTest, TellsWhatLiesBeyondTheRangeOfItsTechniqueUntilItNoLongerDoes
   EXPECT_TRUE(issues().empty());
 }
 
+// Where each picture takes a second, a few milliseconds of making for each would leave the ground coarse for minutes.
+TEST_F(SessionTest, MakesMoreOfTheGroundForEachPictureWherePicturesAreSlow) {
+  const auto pictures_until_settled = [&](const char* link, double apart) {
+    session.load_link(link);
+    int pictures = 0;
+    while (pictures < 2000 && session.frame(now_ += apart, framebuffer_).again) ++pictures;
+    return pictures;
+  };
+  settle();
+  const int quick = pictures_until_settled("preset=blue&camera.altitude=1020&camera.latitude=10", 0.016);
+  const int slow = pictures_until_settled("preset=blue&camera.altitude=1020&camera.latitude=-10", 2.0);
+  if (test::prints()) std::printf("%d and %d\n", quick, slow);
+  EXPECT_LT(slow, quick / 4);
+}
+
 TEST_F(SessionTest, GivesUpQualityForItsTargetAndTakesItBackAtRest) {
   if (test::sanitized) GTEST_SKIP() << test::too_long_sanitized;
   session.set("camera.altitude", "1.5");
