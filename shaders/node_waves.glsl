@@ -80,7 +80,7 @@ bool add_listed(inout SeaAt at, vec4 motion, vec4 shape, float part, float footp
   Course course = course_of(wave, at.arcs);
   if (feels_ground()) {
     course = ashore(course, wave, at.shore);
-    shown = min(shown, part * wave_weight(motion.z * length(course.direction), footprint));
+    shown = min(shown, part * wave_weight(motion.z * course.shorter, footprint));
   }
   if (at.gathers) {
     add_lens(at.lens, course, wave, shown);

@@ -16,7 +16,8 @@ struct ShortWave {
 
 // How it runs at a place.
 struct Course {
-  vec2 direction;  // as many times as long as the wave is shorter than in deep water
+  vec2 direction;  // as long as shorter says
+  float shorter;   // how many times as short as in deep water the wave is
   float phase;
 };
 
@@ -58,6 +59,8 @@ Course course_of(ShortWave wave, vec2 arcs) {
   Course course;
   course.phase = wave.phase + wave.wavenumber * (ahead + aside * curve);
   course.direction = wave.direction + 2.0 * curve * vec2(-wave.direction.y, wave.direction.x);
+  course.direction *= 1.0 - 2.0 * curve * curve;  // a unit vector, without a root
+  course.shorter = 1.0;
   return course;
 }
 
@@ -66,6 +69,7 @@ Course ashore(Course course, ShortWave wave, Shore shore) {
   Shoaling s = shoaling(wave.wavenumber, wave.begins, shore);
   course.phase += s.phase;
   course.direction += s.turn;
+  course.shorter = sqrt(max(dot(course.direction, course.direction), 1.0e-6));
   return course;
 }
 
@@ -73,9 +77,8 @@ Course ashore(Course course, ShortWave wave, Shore shore) {
 // A shorter wave sways less, so that it folds no sooner. Neglected: that crests spread.
 void add_short_wave(inout WaveSum sum, Course course, ShortWave wave, float weight) {
   vec2 turn = cos_sin(course.phase);
-  float per_length = inversesqrt(max(dot(course.direction, course.direction), 1.0e-6));
-  float height = weight * wave.amplitude, pinch = weight * wave.pinch;
-  float sway = min(per_length, 1.0) * pinch * turn.x, squeeze = min(1.0 / per_length, 1.0) * pinch * wave.wavenumber;
-  add_swell(sum, per_length * course.direction, height * turn.y, height * wave.wavenumber / per_length * turn.x, sway,
+  float height = weight * wave.amplitude, pinch = weight * wave.pinch, longer = 1.0 / course.shorter;
+  float sway = min(longer, 1.0) * pinch * turn.x, squeeze = min(course.shorter, 1.0) * pinch * wave.wavenumber;
+  add_swell(sum, longer * course.direction, height * turn.y, height * wave.wavenumber * course.shorter * turn.x, sway,
             -squeeze * turn.y, 0.0, vec2(height, -squeeze) * turn.x);
 }

@@ -30,7 +30,8 @@ Frame frame_at(vec3 v) {
 
 // How much of a wave samples a footprint (rad) apart can show, 0..1: all of it from four a wavelength on, none below two.
 float wave_weight(float wavenumber, float footprint) {
-  return 1.0 - smoothstep(0.25, 0.5, wavenumber / 6.283185307179586 * footprint);
+  float x = clamp(0.6366197723675814 * wavenumber * footprint - 1.0, 0.0, 1.0);
+  return 1.0 - x * x * (3.0 - 2.0 * x);
 }
 
 // The sum of waves at a place, told in its frame; slopes and stretches are per radian of arc.
