@@ -116,8 +116,7 @@ std::vector<double> time_frames(Renderer& renderer, const PictureTask& task, int
     const auto start = std::chrono::steady_clock::now();
     view.seconds = task.still.seconds + i / 60.0;
     renderer.draw(task.scene, view, {Channel::color, i == 0 ? Effort::complete : Effort::live, false});
-    unsigned char pixel[4];
-    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    renderer.wait();
     if (i > 0) times.push_back(milliseconds_since(start));
   }
   return times;

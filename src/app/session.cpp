@@ -31,6 +31,7 @@ constexpr std::ptrdiff_t most_notices = 24;
 constexpr double share_of_map = 0.05;  // of the time of a frame
 // Of the time of a frame for what the ground lacks, and the most that anyone has to wait for it (ms).
 constexpr double share_of_making = 0.25, most_making_ms = 500.0;
+constexpr double making_ms_at_rest = 10.0;  // where no picture is drawn meanwhile
 
 // camera.fov is that of the shorter side of what is free: in an upright window the planet would be twice as wide as
 // that.
@@ -250,7 +251,7 @@ void Session::choose_quality(double now) {
 // Whether there is more to show than the last frame did, without anything having changed.
 bool Session::is_finer() {
   if (clock_moved_ || bands_.under_way() || renderer_->settled() || hand_on_value_) return false;
-  return !renderer_->whole() || renderer_->refine(shown(), view(), making_ms_);
+  return !renderer_->whole() || renderer_->refine(shown(), view(), std::max(making_ms_, making_ms_at_rest));
 }
 
 Effort Session::effort() const {

@@ -231,10 +231,10 @@ class Session {
   bool refines_ = false;                   // a finer picture waits for its programs
   int panel_frames_ = 3;                   // frames that the panel still needs to settle after an event
   double now_ = 0.0;
-  double making_ms_ = 0.0;     // as of Shot
-  double last_elapsed_ = 0.0;  // s that the last frame came after the one before it; 0 after a rest
-  double panel_ran_ = 0.0;     // s, by a clock of its own: between frames there may be long rests
-  bool at_rest_ = true;        // nothing moved after the last frame, so that the time until the next one does not count
+  double making_ms_ = least_making_ms;  // as of Shot
+  double last_elapsed_ = 0.0;           // s that the last frame came after the one before it; 0 after a rest
+  double panel_ran_ = 0.0;              // s, by a clock of its own: between frames there may be long rests
+  bool at_rest_ = true;  // nothing moved after the last frame, so that the time until the next one does not count
   double made_at_ = -1.0;
   std::optional<double> last_drawn_, last_shown_;  // s: a frame that drew anything, a picture on screen
   std::vector<double> frame_ms_, picture_ms_;
