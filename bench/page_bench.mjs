@@ -1,5 +1,6 @@
 // What the page costs in a real browser, beside a load that never changes (yardstick/), whose median frame is Y:
-//   node bench/page_bench.mjs [swiftshader|llvmpipe ...]
+//   node bench/page_bench.mjs [--sea] [swiftshader|llvmpipe ...]
+// --sea: only the open sea and Y.
 // Frames are timed until one of their pixels has been read back. Figures hold within one run only.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -88,20 +89,24 @@ async function compare(browser, visits) {
   return all.map(({ frames, firsts, stats }) => ({ frame: median(frames), first: median(firsts), stats }));
 }
 
-async function timePresets(browser, url) {
-  const page = await open(browser, url + '?panel=0&pause=1');
-  await page.evaluate(() => terrella.ready);
-  const rows = await page.evaluate(names => names.map(name => {
-    terrella.load('?preset=' + name);
-    const times = [];
-    for (let i = 0; i < 15; ++i) {
-      const start = performance.now();
-      terrella.render(100 + 0.04 * i);
-      if (i >= 4) times.push(performance.now() - start);
-    }
-    return { name, time: times.sort((a, b) => a - b)[times.length >> 1], triangles: terrella.stats().triangles };
-  }), presets);
-  await page.context().close();
+// Scenes, told by links: the median of a number of frames of each, after a third as many. Each in a page of its own, which
+// is ready when the program is there that its planet needs.
+async function timeScenes(browser, url, links, count) {
+  const rows = [];
+  for (const link of links) {
+    const page = await open(browser, `${url}${link}&panel=0&pause=1`);
+    await page.evaluate(() => terrella.ready);
+    rows.push(await page.evaluate(count => {
+      const times = [], before = Math.ceil(count / 3);
+      for (let i = 0; i < before + count; ++i) {
+        const start = performance.now();
+        terrella.render(100 + 0.04 * i);
+        if (i >= before) times.push(performance.now() - start);
+      }
+      return { time: times.sort((a, b) => a - b)[times.length >> 1], triangles: terrella.stats().triangles };
+    }, count));
+    await page.context().close();
+  }
   return rows;
 }
 
@@ -189,6 +194,18 @@ async function growth(browser, url, frames) {
   return [bytes[0], Math.max(...bytes)];
 }
 
+async function benchSea(driver, url, yardstick) {
+  const browser = await launch(driver);
+  const [y] = await compare(browser, [[yardstick, false]]);
+  console.log(`\n${driver}, ${viewport.width}x${viewport.height}, open sea from 20 m: Y is ${ms(y.frame)}`);
+  const rows = await timeScenes(browser, url, Object.values(seas).map(sea => `${openSea}&${sea}`), 6);
+  for (const [i, name] of Object.keys(seas).entries()) {
+    const { time, triangles } = rows[i];
+    console.log(`${name}: ${ms(time)} = ${(time / y.frame).toFixed(2)} Y, ${(time / rows[0].time).toFixed(2)} times as much as without water, ${triangles} triangles`);
+  }
+  await browser.close();
+}
+
 async function bench(driver, url, yardstick) {
   const browser = await launch(driver);
   const [y, page, slide] = await compare(browser, [[yardstick, false], [url, false], [url, true]]);
@@ -197,13 +214,18 @@ async function bench(driver, url, yardstick) {
   console.log(`default, everything moving, with the panel: ${inY(page.frame)}, ${page.stats.triangles} triangles, ${page.stats.programs.length} programs, ${(page.stats.gpu_bytes / 1e6).toFixed(1)} MB`);
   console.log(`the same while terrain.height changes with every frame: ${inY(slide.frame)}`);
   console.log(`first frame: ${ms(page.first)}, that of Y's page ${ms(y.first)}: ${(page.first / y.first).toFixed(2)} times`);
-  for (const { name, time, triangles } of await timePresets(browser, url)) console.log(`${name}: ${inY(time)}, ${triangles} triangles`);
+  const ofPresets = await timeScenes(browser, url, presets.map(name => '?preset=' + name), 11);
+  for (const [i, { time, triangles }] of ofPresets.entries()) console.log(`${presets[i]}: ${inY(time)}, ${triangles} triangles`);
   const [linked, drawn] = await timePrograms(driver, browser, url);
   console.log(`programs of all views: compiled and linked in at most ${ms(linked)} each, first draw at most ${ms(drawn)}`);
   const [before, after] = await growth(browser, url, 10_000);
   console.log(`GPU memory after 500 frames ${before} bytes, the most in 10,000 frames ${after} bytes`);
   await browser.close();
 }
+
+// Waves of a wind of 8 m/s, looked down on from 20 m.
+const openSea = '?preset=blue&clouds.model=none&camera.latitude=0&camera.altitude=1020&waves.spectrum=wind&waves.wind=8';
+const seas = { 'no water': 'water.model=none', 'still water': 'waves.count=0&water.ripples=0', '20 waves': 'waves.count=20', '50 waves': 'waves.count=50', '100 waves': 'waves.count=100', '1,000 waves': 'waves.count=1000' };
 
 const dist = join(here, '../build/web/dist');
 const presets = readFileSync(join(here, '../presets/order.txt'), 'utf8').split(/\s+/).filter(Boolean);
@@ -212,9 +234,11 @@ const probe = await chromium.launch({ executablePath, args: ['--no-sandbox', '--
 await (await open(probe, server.url)).evaluate(() => terrella.ready);
 await probe.close();
 console.log(`page: ${(server.log.gzipped / 1000).toFixed(0)} kB gzipped in ${server.log.requests} requests`);
-for (const driver of process.argv.length > 2 ? process.argv.slice(2) : Object.keys(drivers)) {
+const named = process.argv.slice(2).filter(argument => argument !== '--sea'), onlySea = process.argv.includes('--sea');
+for (const driver of named.length > 0 ? named : Object.keys(drivers)) {
   if (!drivers[driver]) throw new Error(`There is no driver "${driver}"; there are ${Object.keys(drivers).join(', ')}.`);
-  await bench(driver, server.url, load.url);
+  if (!onlySea) await bench(driver, server.url, load.url);
+  await benchSea(driver, server.url, load.url);
 }
 server.close();
 load.close();
