@@ -29,8 +29,8 @@ constexpr std::size_t frames_timed = 60;
 constexpr double longest_refinement = 1.0;  // s
 constexpr std::ptrdiff_t most_notices = 24;
 constexpr double share_of_map = 0.05;  // of the time of a frame
-// Of the time of a frame for what the ground lacks, and the most that anyone has to wait for it (ms).
-constexpr double share_of_making = 0.25, most_making_ms = 500.0;
+// For what the ground lacks, of the time by which frames are slower than where nothing is slow (ms), and at most.
+constexpr double share_of_making = 0.25, quick_frame_ms = 40.0, most_making_ms = 250.0;
 constexpr double making_ms_at_rest = 10.0;  // where no picture is drawn meanwhile
 
 // camera.fov is that of the shorter side of what is free: in an upright window the planet would be twice as wide as
@@ -150,8 +150,7 @@ Session::Turn Session::frame(double now, GLuint framebuffer) {
   Turn turn;
   const double elapsed = at_rest_ ? 0.0 : std::clamp(now - now_, 0.0, 1.0);
   last_elapsed_ = elapsed;
-  const double since_last_ms = at_rest_ ? 0.0 : 1000.0 * (now - now_);
-  making_ms_ = std::clamp(share_of_making * since_last_ms, least_making_ms, most_making_ms);
+  choose_making(at_rest_ ? 0.0 : 1000.0 * (now - now_));
   now_ = now;
   if (made_at_ < 0.0) made_at_ = now;
   if (!renderer_) return turn;
@@ -305,6 +304,12 @@ bool Session::draw_for_the_clock(double now) {
     note_picture_time(now);
   }
   return show;
+}
+
+// One late frame may have any cause; two in a row are slow ones.
+void Session::choose_making(double interval_ms) {
+  const double slow_ms = std::min(interval_ms, std::exchange(last_interval_ms_, interval_ms)) - quick_frame_ms;
+  making_ms_ = std::clamp(share_of_making * slow_ms, least_making_ms, most_making_ms);
 }
 
 void Session::forget_intervals() {

@@ -181,6 +181,8 @@ class Session {
   void note_frame_time(double now);
   void note_picture_time(double now);
   void forget_intervals();
+  // interval_ms: since the frame before, 0 after a rest.
+  void choose_making(double interval_ms);
   PanelFacts facts() const;
   // Sentences about what of the scene lies beyond the range in which its technique holds.
   std::vector<std::string> beyond() const;
@@ -232,6 +234,7 @@ class Session {
   int panel_frames_ = 3;                   // frames that the panel still needs to settle after an event
   double now_ = 0.0;
   double making_ms_ = least_making_ms;  // as of Shot
+  double last_interval_ms_ = 0.0;       // from the frame before to the last one; 0 after a rest
   double last_elapsed_ = 0.0;           // s that the last frame came after the one before it; 0 after a rest
   double panel_ran_ = 0.0;              // s, by a clock of its own: between frames there may be long rests
   bool at_rest_ = true;  // nothing moved after the last frame, so that the time until the next one does not count

@@ -19,12 +19,12 @@ constexpr double skirt_pixels = 0.7;
 // Of waves, which a straight edge between the vertices of a coarser neighbour misses by up to so much.
 constexpr double wave_skirt_pixels = 3.0;
 
-// ms for new nodes; more while a parameter is dragged, which makes all of them anew.
+// ms for new nodes; not so few while a parameter is dragged, which makes all of them anew.
 double time_for(const Frame& frame) {
   switch (frame.effort) {
     case Effort::complete: return std::numeric_limits<double>::infinity();
     case Effort::live: return frame.making_ms;
-    default: return 2.0 * frame.making_ms;
+    default: return std::max(frame.making_ms, 2.0 * least_making_ms);
   }
 }
 
