@@ -20,6 +20,7 @@ const viewport = { width: 1280, height: 720 };
 
 const median = values => values.toSorted((a, b) => a - b)[values.length >> 1];
 const ms = value => `${value.toFixed(0)} ms`;
+const inY = (time, y) => `${ms(time)} = ${(time / y.frame).toFixed(2)} Y`;
 
 // Runs in a page before its own scripts: notes how long each frame takes, and when the first one was done.
 function watch() {
@@ -96,15 +97,16 @@ async function timeScenes(browser, url, links, count) {
   for (const link of links) {
     const page = await open(browser, `${url}${link}&panel=0&pause=1`);
     await page.evaluate(() => terrella.ready);
-    rows.push(await page.evaluate(count => {
+    const { times, triangles } = await page.evaluate(count => {
       const times = [], before = Math.ceil(count / 3);
       for (let i = 0; i < before + count; ++i) {
         const start = performance.now();
         terrella.render(100 + 0.04 * i);
         if (i >= before) times.push(performance.now() - start);
       }
-      return { time: times.sort((a, b) => a - b)[times.length >> 1], triangles: terrella.stats().triangles };
-    }, count));
+      return { times, triangles: terrella.stats().triangles };
+    }, count);
+    rows.push({ time: median(times), triangles });
     await page.context().close();
   }
   return rows;
@@ -201,7 +203,7 @@ async function benchSea(driver, url, yardstick) {
   const rows = await timeScenes(browser, url, Object.values(seas).map(sea => `${openSea}&${sea}`), 6);
   for (const [i, name] of Object.keys(seas).entries()) {
     const { time, triangles } = rows[i];
-    console.log(`${name}: ${ms(time)} = ${(time / y.frame).toFixed(2)} Y, ${(time / rows[0].time).toFixed(2)} times as much as without water, ${triangles} triangles`);
+    console.log(`${name}: ${inY(time, y)}, ${(time / rows[0].time).toFixed(2)} times as much as without water, ${triangles} triangles`);
   }
   await browser.close();
 }
@@ -209,13 +211,12 @@ async function benchSea(driver, url, yardstick) {
 async function bench(driver, url, yardstick) {
   const browser = await launch(driver);
   const [y, page, slide] = await compare(browser, [[yardstick, false], [url, false], [url, true]]);
-  const inY = time => `${ms(time)} = ${(time / y.frame).toFixed(2)} Y`;
   console.log(`\n${driver}, ${viewport.width}x${viewport.height}: Y is ${ms(y.frame)}`);
-  console.log(`default, everything moving, with the panel: ${inY(page.frame)}, ${page.stats.triangles} triangles, ${page.stats.programs.length} programs, ${(page.stats.gpu_bytes / 1e6).toFixed(1)} MB`);
-  console.log(`the same while terrain.height changes with every frame: ${inY(slide.frame)}`);
+  console.log(`default, everything moving, with the panel: ${inY(page.frame, y)}, ${page.stats.triangles} triangles, ${page.stats.programs.length} programs, ${(page.stats.gpu_bytes / 1e6).toFixed(1)} MB`);
+  console.log(`the same while terrain.height changes with every frame: ${inY(slide.frame, y)}`);
   console.log(`first frame: ${ms(page.first)}, that of Y's page ${ms(y.first)}: ${(page.first / y.first).toFixed(2)} times`);
   const ofPresets = await timeScenes(browser, url, presets.map(name => '?preset=' + name), 11);
-  for (const [i, { time, triangles }] of ofPresets.entries()) console.log(`${presets[i]}: ${inY(time)}, ${triangles} triangles`);
+  for (const [i, { time, triangles }] of ofPresets.entries()) console.log(`${presets[i]}: ${inY(time, y)}, ${triangles} triangles`);
   const [linked, drawn] = await timePrograms(driver, browser, url);
   console.log(`programs of all views: compiled and linked in at most ${ms(linked)} each, first draw at most ${ms(drawn)}`);
   const [before, after] = await growth(browser, url, 10_000);

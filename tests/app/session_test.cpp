@@ -629,8 +629,10 @@ TEST_F(SessionTest, MakesMoreOfTheGroundForEachPictureWherePicturesAreSlow) {
   };
   session.load_link("preset=blue");  // and its programs
   settle();
-  const int quick = pictures_until_settled("preset=blue&clouds.model=none&camera.altitude=1020&camera.latitude=10", 0.016);
-  const int slow = pictures_until_settled("preset=blue&clouds.model=none&camera.altitude=1020&camera.latitude=-10", 2.0);
+  const int quick =
+      pictures_until_settled("preset=blue&clouds.model=none&camera.altitude=1020&camera.latitude=10", 0.016);
+  const int slow =
+      pictures_until_settled("preset=blue&clouds.model=none&camera.altitude=1020&camera.latitude=-10", 2.0);
   if (test::prints()) std::printf("%d and %d\n", quick, slow);
   EXPECT_LT(2 * slow, quick);  // measured: 16 and 48
 }
